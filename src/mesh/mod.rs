@@ -1,0 +1,310 @@
+//! Floor 2. Triangulations 𝒯 of N-manifolds: 𝒯^k for all k, who contains whom, what is interior.
+//!
+//! Cells are lists of vertices, kept in ascending order. Coordinates are optional: curvature needs only how the
+//! cells hang together and a metric on each. Where there are coordinates, they belong to the vertices of a
+//! domain in ℝ^N, or cell by cell to a quotient of ℝ^N (a torus).
+
+mod generate;
+mod incidence;
+mod numbering;
+mod perturb;
+
+pub use numbering::{Numbering, Slot};
+pub use perturb::SplitMix64;
+
+use crate::Error;
+use crate::linalg::{Mat, Vector};
+use crate::simplex::binomial;
+use incidence::Layer;
+
+/// Where the vertices are in ℝ^N.
+#[derive(Clone, Debug)]
+enum Chart<const N: usize> {
+    /// Nowhere: an abstract manifold.
+    Abstract,
+    /// One point a vertex.
+    Vertices(Vec<Vector<f64, N>>),
+    /// N+1 points a cell, in the order of its vertices: a manifold with several charts.
+    Cells(Vec<Vector<f64, N>>),
+}
+
+/// A triangulated N-manifold, with or without boundary.
+#[derive(Clone, Debug)]
+pub struct Mesh<const N: usize> {
+    cells: Vec<u32>,
+    layers: Vec<Layer>,
+    chart: Chart<N>,
+}
+
+/// A cell seen from one of its subsimplices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Side {
+    /// The cell.
+    pub cell: usize,
+    /// Which of the cell's k-simplices it is, in the order of [`crate::simplex::subsets`].
+    pub place: usize,
+}
+
+impl<const N: usize> Mesh<N> {
+    /// The triangulation of a domain in ℝ^N: a point for each vertex, N+1 vertices for each cell, in any order.
+    ///
+    /// # Errors
+    /// Names the cell or vertex that is not finite, out of range, repeated, unused, degenerate, on the wrong side
+    /// of a face (overlapping its neighbour), or not part of a manifold.
+    pub fn new(points: Vec<Vector<f64, N>>, cells: &[Vec<usize>]) -> Result<Self, Error> {
+        for (vertex, p) in points.iter().enumerate() {
+            if p.iter().any(|x| !x.is_finite()) {
+                let reason = format!("coordinates {:?} are not finite", p.as_slice());
+                return Err(Error::Vertex { vertex, reason });
+            }
+        }
+        let mut mesh = Self::new_abstract(points.len(), cells)?;
+        mesh.chart = Chart::Vertices(points);
+        mesh.check_orientation()?;
+        Ok(mesh)
+    }
+
+    /// A manifold without coordinates.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`], as far as no coordinates are needed.
+    pub fn new_abstract(vertices: usize, cells: &[Vec<usize>]) -> Result<Self, Error> {
+        if N < 2 || cells.is_empty() {
+            return Err(Error::Input(format!("a mesh needs N ≥ 2 and a cell; here N = {N}, {} cells", cells.len())));
+        }
+        let sorted = sorted_cells::<N>(vertices, cells)?;
+        let mut layers = incidence::layers(N, &sorted, vertices)?;
+        check_manifold::<N>(&layers)?;
+        incidence::mark_boundary(N, &mut layers);
+        Ok(Self { cells: sorted, layers, chart: Chart::Abstract })
+    }
+
+    /// A manifold with N+1 points for each cell, in the order of the vertices that were given for it.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`]; the points of neighbours need not agree.
+    pub fn with_cell_charts(
+        vertices: usize,
+        cells: &[Vec<usize>],
+        corners: &[Vec<Vector<f64, N>>],
+    ) -> Result<Self, Error> {
+        let mut mesh = Self::new_abstract(vertices, cells)?;
+        let mut points = Vec::with_capacity(mesh.cells.len());
+        for (cell, (vertices, corners)) in cells.iter().zip(corners).enumerate() {
+            if corners.len() != N + 1 || corners.iter().flatten().any(|x| !x.is_finite()) {
+                return Err(Error::Cell { cell, reason: format!("needs {} finite corners", N + 1) });
+            }
+            let mut order: Vec<usize> = (0..=N).collect();
+            order.sort_by_key(|&i| vertices[i]);
+            points.extend(order.into_iter().map(|i| corners[i]));
+        }
+        if points.len() != mesh.cells.len() {
+            return Err(Error::Input("as many lists of corners as cells are needed".into()));
+        }
+        mesh.chart = Chart::Cells(points);
+        mesh.check_orientation()?;
+        Ok(mesh)
+    }
+
+    /// How many k-simplices, k = 0…N.
+    pub fn count(&self, k: usize) -> usize {
+        if k == N { self.cells.len() / (N + 1) } else { self.layers[k].interior.len() }
+    }
+
+    /// How many cells.
+    pub fn cells(&self) -> usize {
+        self.count(N)
+    }
+
+    /// The ascending vertices of a k-simplex.
+    pub fn vertices(&self, k: usize, simplex: usize) -> &[u32] {
+        let list = if k == N { &self.cells } else { &self.layers[k].vertices };
+        &list[simplex * (k + 1)..(simplex + 1) * (k + 1)]
+    }
+
+    /// The k-simplices of a cell, in the order of [`crate::simplex::subsets`] of its vertices, k < N.
+    pub fn simplices_of(&self, cell: usize, k: usize) -> &[u32] {
+        let per_cell = binomial(N + 1, k + 1);
+        &self.layers[k].of_cell[cell * per_cell..(cell + 1) * per_cell]
+    }
+
+    /// The cells that contain a k-simplex, ascending, k < N.
+    pub fn star(&self, k: usize, simplex: usize) -> impl ExactSizeIterator<Item = Side> + '_ {
+        let stars = &self.layers[k].stars;
+        stars.entries[stars.offsets[simplex]..stars.offsets[simplex + 1]]
+            .iter()
+            .map(|&(cell, place)| Side { cell: cell as usize, place: place as usize })
+    }
+
+    /// Is a k-simplex interior, that is not contained in the boundary? Cells are.
+    pub fn is_interior(&self, k: usize, simplex: usize) -> bool {
+        k == N || self.layers[k].interior[simplex]
+    }
+
+    /// The interior k-simplices 𝒯̊^k.
+    pub fn interior(&self, k: usize) -> impl Iterator<Item = usize> + '_ {
+        (0..self.count(k)).filter(move |&s| self.is_interior(k, s))
+    }
+
+    /// The interior faces: two cells each.
+    pub fn interior_faces(&self) -> impl Iterator<Item = usize> + '_ {
+        self.interior(N - 1)
+    }
+
+    /// The interior hinges.
+    pub fn interior_hinges(&self) -> impl Iterator<Item = usize> + '_ {
+        self.interior(N - 2)
+    }
+
+    /// No boundary at all?
+    pub fn is_closed(&self) -> bool {
+        self.layers[N - 1].interior.iter().all(|&i| i)
+    }
+
+    /// Σ_k (−1)^k |𝒯^k|.
+    pub fn euler_characteristic(&self) -> i64 {
+        (0..=N).map(|k| if k % 2 == 0 { self.count(k) as i64 } else { -(self.count(k) as i64) }).sum()
+    }
+
+    /// Has every cell its place in ℝ^N?
+    pub fn has_coordinates(&self) -> bool {
+        !matches!(self.chart, Chart::Abstract)
+    }
+
+    /// The points of the vertices, where the mesh lies in ℝ^N as a whole.
+    pub fn points(&self) -> Option<&[Vector<f64, N>]> {
+        match &self.chart {
+            Chart::Vertices(points) => Some(points),
+            _ => None,
+        }
+    }
+
+    /// The i-th corner of a cell (its vertices ascending), if there are coordinates.
+    pub fn corner(&self, cell: usize, i: usize) -> Option<Vector<f64, N>> {
+        match &self.chart {
+            Chart::Abstract => None,
+            Chart::Vertices(points) => Some(points[self.cells[cell * (N + 1) + i] as usize]),
+            Chart::Cells(points) => Some(points[cell * (N + 1) + i]),
+        }
+    }
+
+    /// Column i is corner i+1 minus corner 0: ∂x/∂ξ of the reference coordinates, if there are coordinates.
+    pub fn jacobian(&self, cell: usize) -> Option<Mat<f64, N>> {
+        let origin = self.corner(cell, 0)?;
+        let mut jacobian = Mat::<f64, N>::zeros();
+        for i in 0..N {
+            jacobian.set_column(i, &(self.corner(cell, i + 1)? - origin));
+        }
+        Some(jacobian)
+    }
+
+    /// The largest edge length in ℝ^N: h = max_T h_T. Zero without coordinates.
+    pub fn mesh_size(&self) -> f64 {
+        let mut size: f64 = 0.0;
+        for cell in 0..self.cells() {
+            for i in 0..=N {
+                for j in 0..i {
+                    if let (Some(a), Some(b)) = (self.corner(cell, i), self.corner(cell, j)) {
+                        size = size.max((a - b).norm());
+                    }
+                }
+            }
+        }
+        size
+    }
+
+    /// Cells have volume, and neighbours lie on different sides of their common face.
+    fn check_orientation(&self) -> Result<(), Error> {
+        let volumes: Vec<f64> = (0..self.cells()).map(|c| self.relative_volume(c)).collect();
+        // A simplex that is flat to this part of a cube on its longest edge is degenerate in f64.
+        if let Some(cell) = volumes.iter().position(|v| v.is_nan() || v.abs() < 1e-12) {
+            return Err(Error::Cell {
+                cell,
+                reason: format!("degenerate: volume over (longest edge)^{N} is {:e}", volumes[cell]),
+            });
+        }
+        if matches!(self.chart, Chart::Cells(_)) {
+            return Ok(());
+        }
+        for face in self.interior_faces() {
+            let sides: Vec<Side> = self.star(N - 1, face).collect();
+            // The volume's sign as seen from the face: face vertices first, the opposite vertex last.
+            let seen = |s: &Side| if s.place % 2 == 0 { volumes[s.cell] } else { -volumes[s.cell] };
+            if seen(&sides[0]) * seen(&sides[1]) > 0.0 {
+                return Err(Error::Cell {
+                    cell: sides[1].cell,
+                    reason: format!(
+                        "inverted: it lies on the same side of the face {:?} as cell {}",
+                        self.vertices(N - 1, face),
+                        sides[0].cell
+                    ),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// det(∂x/∂ξ) over the N-th power of the longest edge from corner 0.
+    fn relative_volume(&self, cell: usize) -> f64 {
+        self.jacobian(cell).map_or(f64::NAN, |j| {
+            let longest = (0..N).map(|i| j.column(i).norm()).fold(0.0, f64::max);
+            determinant(&j) / longest.powi(N as i32)
+        })
+    }
+}
+
+/// det of a general matrix.
+pub(crate) fn determinant<const N: usize>(a: &Mat<f64, N>) -> f64 {
+    nalgebra::DMatrix::from_fn(N, N, |i, j| a[(i, j)]).determinant()
+}
+
+/// The cells with ascending vertices, if they are possible cells at all.
+fn sorted_cells<const N: usize>(vertices: usize, cells: &[Vec<usize>]) -> Result<Vec<u32>, Error> {
+    let mut used = vec![false; vertices];
+    let mut sorted = Vec::with_capacity(cells.len() * (N + 1));
+    for (cell, list) in cells.iter().enumerate() {
+        let mut list = list.clone();
+        list.sort_unstable();
+        let refuse = |reason: String| Err(Error::Cell { cell, reason });
+        if list.len() != N + 1 {
+            return refuse(format!("has {} vertices, a {N}-simplex has {}", list.len(), N + 1));
+        }
+        if let Some(pair) = list.windows(2).find(|p| p[0] == p[1]) {
+            return refuse(format!("vertex {} is repeated", pair[0]));
+        }
+        if list[N] >= vertices {
+            return refuse(format!("vertex {} does not exist: there are {vertices}", list[N]));
+        }
+        for v in list {
+            used[v] = true;
+            sorted.push(v as u32);
+        }
+    }
+    match used.iter().position(|u| !u) {
+        Some(vertex) => Err(Error::Vertex { vertex, reason: "belongs to no cell".into() }),
+        None => Ok(sorted),
+    }
+}
+
+/// Two cells a face at the most, and stars that are connected through faces.
+fn check_manifold<const N: usize>(layers: &[Layer]) -> Result<(), Error> {
+    let faces = &layers[N - 1];
+    for f in 0..faces.interior.len() {
+        let star = &faces.stars.entries[faces.stars.offsets[f]..faces.stars.offsets[f + 1]];
+        if star.len() > 2 {
+            return Err(Error::NotAManifold {
+                simplex: faces.vertices[f * N..(f + 1) * N].iter().map(|&v| v as usize).collect(),
+                cell: star[2].0 as usize,
+                reason: format!("{} cells share this face", star.len()),
+            });
+        }
+    }
+    match incidence::pinched(N, layers) {
+        Some((simplex, cell)) => Err(Error::NotAManifold {
+            simplex,
+            cell,
+            reason: "its cells are not connected through the faces that contain it".into(),
+        }),
+        None => Ok(()),
+    }
+}
