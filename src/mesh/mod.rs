@@ -136,6 +136,16 @@ impl<const N: usize> Mesh<N> {
             .map(|&(cell, place)| Side { cell: cell as usize, place: place as usize })
     }
 
+    /// The first cell that contains a k-simplex, k ≤ N.
+    pub fn first_side(&self, k: usize, simplex: usize) -> Side {
+        if k == N {
+            return Side { cell: simplex, place: 0 };
+        }
+        let stars = &self.layers[k].stars;
+        let (cell, place) = stars.entries[stars.offsets[simplex]];
+        Side { cell: cell as usize, place: place as usize }
+    }
+
     /// Is a k-simplex interior, that is not contained in the boundary? Cells are.
     pub fn is_interior(&self, k: usize, simplex: usize) -> bool {
         k == N || self.layers[k].interior[simplex]

@@ -1,0 +1,31 @@
+//! Floor 1. Work over many items, by threads where the feature `parallel` is on, with results taken in order.
+
+/// How many items are computed before their results are consumed: bounds the memory for results.
+const BATCH: usize = 8192;
+
+/// `compute(i)` for i = 0…count−1, in any order and by several threads; `consume(i, …)` in ascending order.
+///
+/// What `consume` sees does not depend on the number of threads, so sums made by it do not either.
+pub(crate) fn in_order<R: Send>(
+    count: usize,
+    compute: impl Fn(usize) -> R + Sync,
+    mut consume: impl FnMut(usize, R),
+) {
+    for start in (0..count).step_by(BATCH) {
+        let end = (start + BATCH).min(count);
+        for (i, result) in (start..end).zip(map(start, end, &compute)) {
+            consume(i, result);
+        }
+    }
+}
+
+#[cfg(feature = "parallel")]
+fn map<R: Send>(start: usize, end: usize, compute: &(impl Fn(usize) -> R + Sync)) -> Vec<R> {
+    use rayon::prelude::*;
+    (start..end).into_par_iter().with_min_len(16).map(compute).collect()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn map<R: Send>(start: usize, end: usize, compute: &(impl Fn(usize) -> R + Sync)) -> Vec<R> {
+    (start..end).map(compute).collect()
+}

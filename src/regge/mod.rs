@@ -1,0 +1,261 @@
+//! Floor 5. Regge finite elements of any degree in any dimension.
+//!
+//! A symmetric tensor on a cell is known by its edge components q_ab(x) = g_x(t_ab, t_ab), t_ab the edge from vertex
+//! a to vertex b: g_ij = ½(q_0i + q_0j − q_ij) in reference coordinates. The tensor has degree r if all q_ab do, and
+//! it is tangential-tangential continuous if and only if, for every simplex D and every edge ab of D, q_ab is
+//! single-valued on D. So the coefficients of the q_ab in Bernstein's basis belong to simplices: B_α in q_ab to the
+//! simplex with vertices {a, b} ∪ supp α, and a global vector of such coefficients is a Regge function. For r = 0
+//! they are the squared edge lengths.
+
+mod canonical;
+mod geodesic;
+mod hierarchical;
+mod interpolate;
+
+pub use canonical::Canonical;
+pub use geodesic::{geodesic_interpolant, geodesic_length};
+pub use interpolate::{Interpolant, Projection};
+
+use crate::Error;
+use crate::field::TensorField;
+use crate::jet::{Jet1, Jet2};
+use crate::linalg::{Mat, indefinite_pivot, symmetric};
+use crate::mesh::{Mesh, Numbering, Slot};
+use crate::scalar::{Field, Lift, Real};
+use crate::simplex::{Bernstein, Points, binomial, combine, subsets};
+
+/// The Regge space of degree r on a mesh.
+#[derive(Clone, Debug)]
+pub struct ReggeSpace<'m, const N: usize> {
+    mesh: &'m Mesh<N>,
+    degree: usize,
+    numbering: Numbering,
+    slots: Vec<Vec<Slot>>,
+}
+
+/// How many degrees of freedom of degree r belong to a k-simplex: C(r+1, k) k(k+1)/2. Paper: appendix.
+pub fn dofs_per_simplex(degree: usize, k: usize) -> usize {
+    binomial(degree + 1, k) * k * (k + 1) / 2
+}
+
+impl<'m, const N: usize> ReggeSpace<'m, N> {
+    /// The space of degree r ≥ 0.
+    pub fn new(mesh: &'m Mesh<N>, degree: usize) -> Self {
+        let numbering = Numbering::new(mesh, (0..=N).map(|k| dofs_per_simplex(degree, k)).collect());
+        let all: Vec<usize> = (0..=N).collect();
+        Self { mesh, degree, numbering, slots: slots_on(&all, N, degree) }
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &'m Mesh<N> {
+        self.mesh
+    }
+
+    /// r.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// The dimension.
+    pub fn len(&self) -> usize {
+        self.numbering.len()
+    }
+
+    /// Never.
+    pub fn is_empty(&self) -> bool {
+        self.numbering.is_empty()
+    }
+
+    /// How the degrees of freedom are numbered.
+    pub fn numbering(&self) -> &Numbering {
+        &self.numbering
+    }
+
+    /// The global index of the coefficient of B_α in q_ab on a cell: edges in the order of [`subsets`], α in that of
+    /// [`crate::simplex::multi_indices`].
+    pub fn cell_dof(&self, cell: usize, edge: usize, alpha: usize) -> usize {
+        self.numbering.of_cell(self.mesh, cell, self.slots[edge][alpha])
+    }
+
+    /// The function with these coefficients.
+    ///
+    /// # Errors
+    /// If there are too few or too many.
+    pub fn function<C: Copy>(&self, coefficients: Vec<C>) -> Result<ReggeFunction<'_, C, N>, Error> {
+        if coefficients.len() != self.len() {
+            return Err(Error::Input(format!(
+                "{} coefficients for a Regge space of dimension {}",
+                coefficients.len(),
+                self.len()
+            )));
+        }
+        Ok(ReggeFunction { space: self, coefficients })
+    }
+}
+
+/// Where B_α in q_ab is numbered, by edge and α, on the simplex with the given local vertices of an n-simplex.
+fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Vec<Slot>> {
+    let places: Vec<Vec<Vec<usize>>> = (0..=n).map(|k| subsets(n + 1, k + 1)).collect();
+    let mut seen: Vec<Vec<usize>> = places.iter().map(|p| vec![0; p.len()]).collect();
+    let exponents = crate::simplex::multi_indices(vertices.len(), degree);
+    subsets(vertices.len(), 2)
+        .into_iter()
+        .map(|edge| {
+            exponents
+                .iter()
+                .map(|alpha| {
+                    let charged = |i: &usize| alpha[*i] > 0 || edge.contains(i);
+                    let support: Vec<usize> =
+                        (0..vertices.len()).filter(charged).map(|i| vertices[i]).collect();
+                    let k = support.len() - 1;
+                    let place = places[k].iter().position(|p| *p == support).unwrap_or_default();
+                    let index = seen[k][place];
+                    seen[k][place] += 1;
+                    Slot { k, place, index }
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// A Regge function: a single-valued piecewise polynomial symmetric tensor, by its coefficients.
+#[derive(Clone, Debug)]
+pub struct ReggeFunction<'s, C, const N: usize> {
+    space: &'s ReggeSpace<'s, N>,
+    coefficients: Vec<C>,
+}
+
+impl<'s, C: Copy, const N: usize> ReggeFunction<'s, C, N> {
+    /// Its space.
+    pub fn space(&self) -> &'s ReggeSpace<'s, N> {
+        self.space
+    }
+
+    /// Its coefficients in the order of the space's numbering.
+    pub fn coefficients(&self) -> &[C] {
+        &self.coefficients
+    }
+
+    /// The coefficients of the edge components on a cell: `[edge][α]`, one after the other.
+    pub fn local(&self, cell: usize) -> Vec<C> {
+        let space = self.space;
+        let slots = space.slots.iter().flatten();
+        slots.map(|&s| self.coefficients[space.numbering.of_cell(space.mesh, cell, s)]).collect()
+    }
+}
+
+impl<const N: usize> ReggeFunction<'_, f64, N> {
+    /// Is it a metric: positive definite at all given points of every cell?
+    ///
+    /// # Errors
+    /// Names the first cell and point where it is not.
+    pub fn check_positive(&self, points: &Points) -> Result<(), Error> {
+        check_positive(self, self.space.mesh, points)
+    }
+}
+
+/// Is a field a metric: positive definite at all given points of every cell?
+///
+/// # Errors
+/// Names the first cell and point where it is not.
+pub fn check_positive<const N: usize, G: TensorField<f64, N>>(
+    field: &G,
+    mesh: &Mesh<N>,
+    points: &Points,
+) -> Result<(), Error> {
+    let table = field.tabulate(points);
+    let mut found = None;
+    let on_cell = |cell: usize| {
+        let local = field.on_cell(cell);
+        (0..points.len()).find_map(|q| {
+            indefinite_pivot(&field.value(&local, &table, q)).map(|pivot| (q, pivot))
+        })
+    };
+    crate::parallel::in_order(mesh.cells(), on_cell, |cell, bad| {
+        if let (None, Some((q, pivot))) = (&found, bad) {
+            found = Some(Error::Indefinite { cell, point: points.lambda(q).to_vec(), pivot });
+        }
+    });
+    found.map_or(Ok(()), Err)
+}
+
+/// Edge components `[edge]`, in the order of [`subsets`], of the tensor with components g_ij.
+pub(crate) fn edge_components<F: Field, const N: usize>(g: &Mat<F, N>) -> Vec<F> {
+    let mut q = Vec::with_capacity(N * (N + 1) / 2);
+    // t_0b = e_b; t_ab = e_b − e_a.
+    q.extend((0..N).map(|b| g[(b, b)]));
+    for a in 0..N {
+        q.extend((a + 1..N).map(|b| g[(a, a)] + g[(b, b)] - g[(a, b)] - g[(a, b)]));
+    }
+    q
+}
+
+/// g_ij = ½(q_0i + q_0j − q_ij) from the edge components.
+#[inline]
+pub(crate) fn from_edge_components<F: Field, const N: usize>(q: impl Fn(usize) -> F) -> Mat<F, N> {
+    // The edges 0i come first; then 12, 13, …, 23, …
+    symmetric(|i, j| {
+        if i == j {
+            return q(i);
+        }
+        let edge = N + i * (2 * N - i - 1) / 2 + j - i - 1;
+        (q(i) + q(j) - q(edge)) * F::half()
+    })
+}
+
+impl<C, T, const N: usize> TensorField<T, N> for ReggeFunction<'_, C, N>
+where
+    C: Lift<T> + Copy + Sync,
+    T: Real,
+{
+    /// The B_α with their derivatives, `[block][α]`.
+    type Table = Vec<Vec<Jet2<T, N>>>;
+    /// The coefficients of the cell, `[edge][α]`.
+    type Local = Vec<C>;
+
+    fn tabulate(&self, points: &Points) -> Self::Table {
+        Bernstein::new(N + 1, self.space.degree).tabulate_jets(points)
+    }
+
+    fn on_cell(&self, cell: usize) -> Vec<C> {
+        self.local(cell)
+    }
+
+    fn jet2(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+        let row = &table[block];
+        let q: Vec<Jet2<T, N>> = local.chunks_exact(row.len()).map(|c| combine(c, row)).collect();
+        from_edge_components(|edge| q[edge])
+    }
+
+    fn jet1(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
+        let row = &table[block];
+        let component = |c: &[C]| {
+            let mut sum = Jet1::constant(T::zero());
+            for (c, b) in c.iter().zip(row) {
+                let c = c.lift();
+                sum.value += c * b.value;
+                for m in 0..N {
+                    sum.d[m] += c * b.d[m];
+                }
+            }
+            sum
+        };
+        let q: Vec<Jet1<T, N>> = local.chunks_exact(row.len()).map(component).collect();
+        from_edge_components(|edge| q[edge])
+    }
+
+    fn value(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<T, N> {
+        let row = &table[block];
+        from_edge_components(|edge| {
+            let mut sum = T::zero();
+            for (c, b) in local[edge * row.len()..(edge + 1) * row.len()].iter().zip(row) {
+                sum += c.lift() * b.value;
+            }
+            sum
+        })
+    }
+
+    fn is_constant(&self) -> bool {
+        self.space.degree == 0
+    }
+}
