@@ -35,7 +35,8 @@ use crate::quadrature::Rule;
 
 /// What solves the discrete problem: the seam at which a solver can be replaced.
 pub trait BiharmonicSolver<const N: usize>: std::fmt::Debug + Send + Sync {
-    /// The (u, û) of a load for the discretisation that the solver was made for. The load holds f(v) for each v of [`Hhj::space`]; entries of v on ∂Ω are to be ignored.
+    /// The (u, û) of a load for the discretisation that the solver was made for. The load holds f(v) for each v of
+    /// [`Hhj::space`]; entries of v on ∂Ω are to be ignored.
     ///
     /// # Errors
     /// If the solver gives up.
