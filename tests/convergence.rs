@@ -50,16 +50,20 @@ fn converges<const N: usize>(way: Way, degree: usize, levels: [u32; 2], band: (f
     assert!(band.0 < order && order < band.1, "N = {N}, r = {degree}, {way:?}: order {order}");
 }
 
-/// thm:conv (i): O(h^{r+1}). The bands are narrower than the distance to the next order; that they leave room is due
-/// to the random meshes, whose h moves by a few per cent against 2^{−k}.
+/// thm:conv (i): O(h^{r+1}). For r = 0 the averages come down to 1 slowly (the paper prints 1.57, 1.41, 1.14, 1.03 for
+/// k = 3…6), while the canonical and the geodesic interpolant are one order better than the theorem says for all.
 #[test]
 fn plane() {
-    for way in [Way::Canonical, Way::Average, Way::Hierarchical] {
-        converges::<2>(way, 0, [2, 4], (0.75, 1.6));
-        converges::<2>(way, 1, [2, 4], (1.65, 2.5));
-        converges::<2>(way, 2, [2, 4], (2.65, 3.5));
+    for way in [Way::Average, Way::Hierarchical] {
+        converges::<2>(way, 0, [3, 4], (0.8, 1.75));
     }
-    converges::<2>(Way::Geodesic, 0, [2, 4], (0.75, 1.6));
+    for way in [Way::Canonical, Way::Geodesic] {
+        converges::<2>(way, 0, [3, 4], (1.8, 2.2));
+    }
+    for way in [Way::Canonical, Way::Average, Way::Hierarchical] {
+        converges::<2>(way, 1, [3, 4], (1.65, 2.3));
+        converges::<2>(way, 2, [3, 4], (2.8, 3.5));
+    }
 }
 
 /// thm:conv (ii) for r = 1; for r = 0 the order 1 is seen before it stagnates (paper, section 5).
