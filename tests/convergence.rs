@@ -21,12 +21,17 @@ enum Way {
 /// h and the H⁻² error of the densitized curvature on the paper's perturbed mesh.
 fn error<const N: usize>(way: Way, degree: usize, level: u32) -> (f64, f64) {
     let mesh = Mesh::<N>::cube(1 << level).expect("a cube");
-    let mesh = mesh.perturbed_as_in_paper(level, 40 + u64::from(level)).expect("a mesh");
+    let mesh = mesh
+        .perturbed_as_in_paper(level, 40 + u64::from(level))
+        .expect("a mesh");
     let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
     let space = ReggeSpace::new(&mesh, degree);
     let exact = Projection::exact::<N>(degree);
     let g_h = match way {
-        Way::Canonical => Interpolant::Canonical { order: 2 * degree + 8 }.apply(&space, &g),
+        Way::Canonical => Interpolant::Canonical {
+            order: 2 * degree + 8,
+        }
+        .apply(&space, &g),
         Way::Average => Interpolant::Average(exact).apply(&space, &g),
         Way::Hierarchical => Interpolant::AverageHierarchical(exact).apply(&space, &g),
         Way::Geodesic => geodesic_interpolant(&space, g.formula()),
@@ -39,7 +44,10 @@ fn error<const N: usize>(way: Way, degree: usize, level: u32) -> (f64, f64) {
     for (l, s) in load.iter_mut().zip(smooth) {
         *l -= s;
     }
-    (mesh.mesh_size(), hm2.norm(&load, None).expect("a solution").total())
+    (
+        mesh.mesh_size(),
+        hm2.norm(&load, None).expect("a solution").total(),
+    )
 }
 
 /// The order between the two finest levels lies in the band around the expected one.
@@ -47,7 +55,10 @@ fn converges<const N: usize>(way: Way, degree: usize, levels: [u32; 2], band: (f
     let [(h, e), (finer_h, finer_e)] = levels.map(|k| error::<N>(way, degree, k));
     let order = (e / finer_e).ln() / (h / finer_h).ln();
     println!("N = {N}, r = {degree}, {way:?}: {e:.3e}, {finer_e:.3e}, order {order:.2}");
-    assert!(band.0 < order && order < band.1, "N = {N}, r = {degree}, {way:?}: order {order}");
+    assert!(
+        band.0 < order && order < band.1,
+        "N = {N}, r = {degree}, {way:?}: order {order}"
+    );
 }
 
 /// thm:conv (i): O(h^{r+1}). For r = 0 the averages come down to 1 slowly (the paper prints 1.57, 1.41, 1.14, 1.03 for

@@ -24,7 +24,10 @@ fn single_valued<const N: usize>(mesh: &Mesh<N>, degree: usize) {
                     let on = &places[side.place];
                     let points = rule.points().embed(on, N + 1);
                     let cell = space.cell_dofs(side.cell).enumerate();
-                    seen.push(cell.map(|(a, d)| c[d] * basis.value(a, points.lambda(q))).sum::<f64>());
+                    seen.push(
+                        cell.map(|(a, d)| c[d] * basis.value(a, points.lambda(q)))
+                            .sum::<f64>(),
+                    );
                     let slots = space.trace_slots(on);
                     let trace = space.dofs(side.cell, &slots).enumerate();
                     let on_k = space.basis(k);
@@ -32,7 +35,10 @@ fn single_valued<const N: usize>(mesh: &Mesh<N>, degree: usize) {
                     seen.push(trace.map(|(a, d)| c[d] * on_k.value(a, lambda)).sum());
                 }
                 for value in &seen {
-                    assert!((value - seen[0]).abs() < 1e-14, "N = {N}, q = {degree}, k = {k}: {seen:?}");
+                    assert!(
+                        (value - seen[0]).abs() < 1e-14,
+                        "N = {N}, q = {degree}, k = {k}: {seen:?}"
+                    );
                 }
             }
         }
@@ -53,9 +59,17 @@ fn functions_are_single_valued() {
 #[test]
 fn dimensions() {
     let single = Mesh::<3>::single().expect("a simplex");
-    assert_eq!([1, 2, 3, 4].map(|q| Lagrange::new(&single, q).len()), [4, 10, 20, 35]);
+    assert_eq!(
+        [1, 2, 3, 4].map(|q| Lagrange::new(&single, q).len()),
+        [4, 10, 20, 35]
+    );
     let square = Mesh::<2>::cube(2).expect("a square");
     let space = Lagrange::new(&square, 3);
     assert_eq!(space.len(), 49);
-    assert_eq!((0..space.len()).filter(|&d| space.vanishes_on_boundary(d)).count(), 25);
+    assert_eq!(
+        (0..space.len())
+            .filter(|&d| space.vanishes_on_boundary(d))
+            .count(),
+        25
+    );
 }

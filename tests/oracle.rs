@@ -63,7 +63,11 @@ fn norm<const N: usize>(oracle: &Oracle) {
     let mesh = oracle.mesh::<N>();
     let space = oracle.space(&mesh);
     let g_h = oracle.metric(&space);
-    let named = Metric::ALL.iter().find(|m| m.0 == oracle.metric).expect("a known metric").1;
+    let named = Metric::ALL
+        .iter()
+        .find(|m| m.0 == oracle.metric)
+        .expect("a known metric")
+        .1;
     let g = Smooth::new(&mesh, named).expect("coordinates");
     let hm2 = HMinus2::new(&mesh, known.hhj_degree).expect("a norm");
     let rules = Rules::new::<N>(20);
@@ -75,14 +79,22 @@ fn norm<const N: usize>(oracle: &Oracle) {
     let rule = (N == 3).then(|| Rule::new(3, 5));
     let error = hm2.norm(&load, rule.as_ref()).expect("a solution").total();
     let off = (error - known.error).abs() / known.error;
-    assert!(off < 1e-6, "{}: {error} against {}", oracle.name, known.error);
+    assert!(
+        off < 1e-6,
+        "{}: {error} against {}",
+        oracle.name,
+        known.error
+    );
 }
 
 /// eq. integralformula: ⟨(Rω)_dist(g_h) − (Rω)(g), v⟩ = ∫₀¹ (b_h − a_h)((1−t)g + t g_h; g_h − g, v) dt. At order 24
 /// the quadrature error is below 2e-12 of sums of size 0.1 (1e-9 at order 16, 4e-11 at order 20).
 #[test]
 fn the_integral_formula_holds_on_an_oracle() {
-    let oracle = load_all().into_iter().find(|o| o.name == "n3-structured-k1-r2").expect("the case");
+    let oracle = load_all()
+        .into_iter()
+        .find(|o| o.name == "n3-structured-k1-r2")
+        .expect("the case");
     let mesh = oracle.mesh::<3>();
     let space = oracle.space(&mesh);
     let g_h = oracle.metric(&space);
@@ -102,7 +114,10 @@ fn the_integral_formula_holds_on_an_oracle() {
         }
     }
     for dof in (0..test.len()).filter(|&d| test.vanishes_on_boundary(d)) {
-        assert!((difference[dof] - smooth[dof]).abs() < 5e-12, "test function {dof}");
+        assert!(
+            (difference[dof] - smooth[dof]).abs() < 5e-12,
+            "test function {dof}"
+        );
     }
 }
 
