@@ -54,16 +54,17 @@ impl<F: Field, const N: usize> Connection<F, N> {
     pub fn new<J: Jet<N, Lower = F>>(g: &Mat<J, N>) -> Self {
         let value = lower(g);
         let (inverse, det) = inverse_and_det(&value);
-        let half = F::half();
-        // Γ_lij, the first index lowered.
+        // 2Γ_lij, the first index lowered; then raised by ½ g^kl.
         let first: [Mat<F, N>; N] = std::array::from_fn(|l| {
-            symmetric(|i, j| (g[(j, l)].d(i) + g[(i, l)].d(j) - g[(i, j)].d(l)) * half)
+            symmetric(|i, j| g[(j, l)].d(i) + g[(i, l)].d(j) - g[(i, j)].d(l))
         });
+        let half = F::half();
+        let half_inverse: Mat<F, N> = symmetric(|k, l| inverse[(k, l)] * half);
         let gamma = std::array::from_fn(|k| {
             symmetric(|i, j| {
-                let mut sum = F::zero();
-                for l in 0..N {
-                    sum += inverse[(k, l)] * first[l][(i, j)];
+                let mut sum = half_inverse[(k, 0)] * first[0][(i, j)];
+                for l in 1..N {
+                    sum += half_inverse[(k, l)] * first[l][(i, j)];
                 }
                 sum
             })

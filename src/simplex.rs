@@ -4,8 +4,8 @@
 //! same from both of its cells. The reference coordinates of a cell are ξ_i = λ_{i+1}, i = 0…N−1; vertex 0 is the
 //! origin.
 
-use crate::jet::Jet2;
-use crate::scalar::{Field, Lift, Real};
+use crate::jet::{Jet1, Jet2};
+use crate::scalar::{Field, Real};
 
 /// All subsets of {0, …, n−1} with `size` elements, ascending, in lexicographic order.
 pub fn subsets(n: usize, size: usize) -> Vec<Vec<usize>> {
@@ -193,19 +193,33 @@ pub fn barycentric_jets<T: Real, const N: usize>(points: &Points, block: usize) 
 
 /// Σ_α c_α B_α from a row of a table of the B_α.
 #[inline]
-pub fn combine<C: Lift<T> + Copy, T: Field, const N: usize>(
-    coefficients: &[C],
-    row: &[Jet2<T, N>],
-) -> Jet2<T, N> {
+pub fn combine<T: Field, const N: usize>(c: &[T], row: &[Jet2<T, N>]) -> Jet2<T, N> {
     let mut sum = Jet2::constant(T::zero());
-    for (c, b) in coefficients.iter().zip(row) {
-        let c = c.lift();
-        sum.value += c * b.value;
+    for (c, b) in c.iter().zip(row) {
+        sum.value += *c * b.value;
         for m in 0..N {
-            sum.d[m] += c * b.d[m];
-            for n in 0..N {
-                sum.dd[m][n] += c * b.dd[m][n];
+            sum.d[m] += *c * b.d[m];
+            for n in m..N {
+                sum.dd[m][n] += *c * b.dd[m][n];
             }
+        }
+    }
+    for m in 0..N {
+        for n in 0..m {
+            sum.dd[m][n] = sum.dd[n][m];
+        }
+    }
+    sum
+}
+
+/// [`combine`] without the second derivatives.
+#[inline]
+pub fn combine_first<T: Field, const N: usize>(c: &[T], row: &[Jet2<T, N>]) -> Jet1<T, N> {
+    let mut sum = Jet1::constant(T::zero());
+    for (c, b) in c.iter().zip(row) {
+        sum.value += *c * b.value;
+        for m in 0..N {
+            sum.d[m] += *c * b.d[m];
         }
     }
     sum

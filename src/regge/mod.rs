@@ -19,10 +19,10 @@ pub use interpolate::{Interpolant, Projection};
 use crate::Error;
 use crate::field::TensorField;
 use crate::jet::{Jet1, Jet2};
-use crate::linalg::{Mat, indefinite_pivot, symmetric};
+use crate::linalg::{Mat, indefinite_pivot};
 use crate::mesh::{Mesh, Numbering, Slot};
 use crate::scalar::{Field, Lift, Real};
-use crate::simplex::{Bernstein, Points, binomial, combine, subsets};
+use crate::simplex::{Bernstein, Points, binomial, combine, combine_first, subsets};
 
 /// The Regge space of degree r on a mesh.
 #[derive(Clone, Debug)]
@@ -213,17 +213,41 @@ pub(crate) fn edge_components<F: Field, const N: usize>(g: &Mat<F, N>) -> Vec<F>
     q
 }
 
-/// g_ij = ½(q_0i + q_0j − q_ij) from the edge components.
-#[inline]
-pub(crate) fn from_edge_components<F: Field, const N: usize>(q: impl Fn(usize) -> F) -> Mat<F, N> {
+/// Row by row i ≤ j, the coefficients of g_ij = ½(q_0i + q_0j − q_ij) from those of the edge components, `[edge][α]`.
+fn component_coefficients<T: Real, const N: usize>(q: &[T]) -> Vec<T> {
+    let size = q.len() / (N * (N + 1) / 2);
+    let mut g = Vec::with_capacity(q.len());
     // The edges 0i come first; then 12, 13, …, 23, …
-    symmetric(|i, j| {
-        if i == j {
-            return q(i);
+    let mut edge = N;
+    for i in 0..N {
+        g.extend_from_slice(&q[i * size..(i + 1) * size]);
+        for j in i + 1..N {
+            let sum = |a: usize| q[i * size + a] + q[j * size + a] - q[edge * size + a];
+            g.extend((0..size).map(|a| sum(a) * T::half()));
+            edge += 1;
         }
-        let edge = N + i * (2 * N - i - 1) / 2 + j - i - 1;
-        (q(i) + q(j) - q(edge)) * F::half()
-    })
+    }
+    g
+}
+
+/// The matrix whose entries i ≤ j are made of consecutive chunks of `coefficients`.
+#[inline]
+fn from_chunks<T, F: Field, const N: usize>(
+    coefficients: &[T],
+    size: usize,
+    entry: impl Fn(&[T]) -> F,
+) -> Mat<F, N> {
+    let mut g = crate::linalg::zeros();
+    let mut chunks = coefficients.chunks_exact(size);
+    for i in 0..N {
+        for j in i..N {
+            if let Some(chunk) = chunks.next() {
+                g[(i, j)] = entry(chunk);
+                g[(j, i)] = g[(i, j)];
+            }
+        }
+    }
+    g
 }
 
 impl<C, T, const N: usize> TensorField<T, N> for ReggeFunction<'_, C, N>
@@ -233,52 +257,34 @@ where
 {
     /// The B_α with their derivatives, `[block][α]`.
     type Table = Vec<Vec<Jet2<T, N>>>;
-    /// The coefficients of the cell, `[edge][α]`.
-    type Local = Vec<C>;
+    /// The coefficients of the components g_ij on the cell, i ≤ j, then α.
+    type Local = Vec<T>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
         Bernstein::new(N + 1, self.space.degree).tabulate_jets(points)
     }
 
-    fn on_cell(&self, cell: usize) -> Vec<C> {
-        self.local(cell)
+    fn on_cell(&self, cell: usize) -> Vec<T> {
+        let edges: Vec<T> = self.local(cell).into_iter().map(Lift::lift).collect();
+        component_coefficients::<T, N>(&edges)
     }
 
-    fn jet2(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+    fn jet2(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
         let row = &table[block];
-        let q: Vec<Jet2<T, N>> = local
-            .chunks_exact(row.len())
-            .map(|c| combine(c, row))
-            .collect();
-        from_edge_components(|edge| q[edge])
+        from_chunks(local, row.len(), |c| combine(c, row))
     }
 
-    fn jet1(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
+    fn jet1(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
         let row = &table[block];
-        let component = |c: &[C]| {
-            let mut sum = Jet1::constant(T::zero());
-            for (c, b) in c.iter().zip(row) {
-                let c = c.lift();
-                sum.value += c * b.value;
-                for m in 0..N {
-                    sum.d[m] += c * b.d[m];
-                }
-            }
-            sum
-        };
-        let q: Vec<Jet1<T, N>> = local.chunks_exact(row.len()).map(component).collect();
-        from_edge_components(|edge| q[edge])
+        from_chunks(local, row.len(), |c| combine_first(c, row))
     }
 
-    fn value(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<T, N> {
+    fn value(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<T, N> {
         let row = &table[block];
-        from_edge_components(|edge| {
+        from_chunks(local, row.len(), |c| {
             let mut sum = T::zero();
-            for (c, b) in local[edge * row.len()..(edge + 1) * row.len()]
-                .iter()
-                .zip(row)
-            {
-                sum += c.lift() * b.value;
+            for (c, b) in c.iter().zip(row) {
+                sum += *c * b.value;
             }
             sum
         })
