@@ -1,0 +1,45 @@
+//! A study as one JSON object.
+
+use super::rules::QuadratureReport;
+use super::{Named, Row, Study};
+use serde::{Deserialize, Serialize};
+
+/// What a study was and what came out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// The version of the program.
+    pub version: String,
+    /// The command that makes this report.
+    pub command: String,
+    /// The smooth metric's name.
+    pub metric: String,
+    /// The name of what was measured in H⁻².
+    pub quantity: String,
+    /// How it was integrated.
+    pub quadrature: QuadratureReport,
+    /// Where the meshes' seeds come from.
+    pub seed: u64,
+    /// Line by line.
+    pub rows: Vec<Row>,
+}
+
+impl Report {
+    /// Of a study with its rows.
+    pub fn new(study: &Study, rows: Vec<Row>, command: String) -> Self {
+        let load_order = |degree: usize| (degree, study.quadrature.load_order(degree));
+        Self {
+            version: env!("CARGO_PKG_VERSION").into(),
+            command,
+            metric: study.metric.name_of().into(),
+            quantity: study.quantity.name_of().into(),
+            quadrature: QuadratureReport {
+                kind: study.quadrature.kind().into(),
+                load_order: study.cases.iter().map(|case| load_order(case.degree)).collect(),
+                norm_order: study.quadrature.norm_order(),
+                projection: study.projection.name_of().into(),
+            },
+            seed: study.seed,
+            rows,
+        }
+    }
+}
