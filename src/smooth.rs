@@ -12,6 +12,11 @@ use crate::simplex::Points;
 pub trait SmoothTensor<const N: usize>: Sync {
     /// g_ab at x, in the coordinates of ℝ^N.
     fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N>;
+
+    /// Is the formula meant at this point?
+    fn contains(&self, _x: &[f64; N]) -> bool {
+        true
+    }
 }
 
 /// A formula on a mesh.

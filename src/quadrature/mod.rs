@@ -1,7 +1,8 @@
 //! Floor 2. Quadrature on simplices, in any dimension and of any order, with positive weights.
 //!
-//! Intervals: Gauss–Legendre. Triangles to order 30 and tetrahedra to order 15: the fully symmetric rules of Xiao
-//! and Gimbutas (feature `tabulated`). Everything else: conical products of Gauss–Jacobi rules.
+//! Intervals: Gauss–Legendre. Triangles to order 30 and tetrahedra to order 15: the rules of Xiao and Gimbutas
+//! (feature `tabulated`), fully symmetric on triangles, not on tetrahedra. Everything else: conical products of
+//! Gauss–Jacobi rules.
 
 mod jacobi;
 

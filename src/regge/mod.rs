@@ -8,12 +8,12 @@
 //! they are the squared edge lengths.
 
 mod canonical;
-// mod geodesic;
+mod geodesic;
 mod hierarchical;
 mod interpolate;
 
 pub use canonical::Canonical;
-// pub use geodesic::{geodesic_interpolant, geodesic_length};
+pub use geodesic::{geodesic_interpolant, geodesic_length};
 pub use interpolate::{Interpolant, Projection};
 
 use crate::Error;
