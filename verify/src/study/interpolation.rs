@@ -1,7 +1,7 @@
 //! From the smooth metric g to the Regge metric g_h, by name.
 
 use super::Named;
-use super::rules::printed_rule;
+use super::printed_rules::printed_rule;
 use regge::Error;
 use regge::regge::{Interpolant, Projection, ReggeFunction, ReggeSpace};
 use regge::smooth::{Smooth, SmoothTensor};

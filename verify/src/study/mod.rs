@@ -5,6 +5,7 @@
 
 mod interpolation;
 mod named;
+mod printed_rules;
 mod quantity;
 mod report;
 mod row;
@@ -16,7 +17,8 @@ pub use named::Named;
 pub use quantity::Quantity;
 pub use report::Report;
 pub use row::{Row, observed_order};
-pub use rules::{Quadrature, StudyRules, printed_rule};
+pub use printed_rules::printed_rule;
+pub use rules::{LoadQuadrature, Orders, Quadrature, QuadratureReport, StudyRules, converged_order};
 pub use run::{Event, Failure, Phase, mesh, mesh_seed};
 
 use regge::Error;

@@ -1,7 +1,7 @@
 //! A study as one JSON object.
 
 use super::rules::QuadratureReport;
-use super::{Named, Row, Study};
+use super::{Case, Named, Row, Study};
 use serde::{Deserialize, Serialize};
 
 /// What a study was and what came out.
@@ -26,7 +26,7 @@ pub struct Report {
 impl Report {
     /// Of a study with its rows.
     pub fn new(study: &Study, rows: Vec<Row>, command: String) -> Self {
-        let load_order = |degree: usize| (degree, study.quadrature.load_order(degree));
+        let orders = |&case: &Case| study.quadrature.orders(study.dimension, case);
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
             command,
@@ -34,9 +34,8 @@ impl Report {
             quantity: study.quantity.name_of().into(),
             quadrature: QuadratureReport {
                 kind: study.quadrature.kind().into(),
-                load_order: study.cases.iter().map(|case| load_order(case.degree)).collect(),
-                norm_order: study.quadrature.norm_order(),
                 projection: study.projection.name_of().into(),
+                orders: study.cases.iter().map(orders).collect(),
             },
             seed: study.seed,
             rows,

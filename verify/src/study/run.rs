@@ -112,7 +112,7 @@ impl Study {
         let mesh = mesh::<N>(case.level, mesh_seed(self.seed, case.level))?;
         observe(Event::Phase(case, Phase::Factorise));
         let norm = HMinus2::new(&mesh, case.degree + 2)?;
-        let rules = self.quadrature.rules::<N>(case.degree)?;
+        let rules = self.quadrature.rules::<N>(case)?;
         for &interpolant in &self.interpolants {
             let mut phase = |phase| observe(Event::Phase(case, phase));
             let error = self.norm_of_quantity(case, interpolant, &norm, &rules, &mut phase)?;
