@@ -95,7 +95,9 @@ impl<T: Real, M: SmoothTensor<N>, const N: usize> TensorField<T, N> for Smooth<'
     type Local = AffineMap<N>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        (0..points.blocks::<T>()).map(|b| std::array::from_fn(|m| points.block(b, m + 1))).collect()
+        (0..points.blocks::<T>())
+            .map(|b| std::array::from_fn(|m| points.block(b, m + 1)))
+            .collect()
     }
 
     fn on_cell(&self, cell: usize) -> AffineMap<N> {

@@ -29,7 +29,10 @@ fn curvature<const N: usize, G: TensorField<f64, N>>(
 /// edges are integrals of functions that are no polynomials: order 40 leaves rounding errors.
 #[test]
 fn gauss_bonnet_on_torus_and_sphere() {
-    let meshes = [(Mesh::<2>::torus(3), 0.0), (Mesh::<2>::simplex_boundary(), 2.0)];
+    let meshes = [
+        (Mesh::<2>::torus(3), 0.0),
+        (Mesh::<2>::simplex_boundary(), 2.0),
+    ];
     for (mesh, characteristic) in meshes.map(|(m, c)| (m.expect("a closed surface"), c)) {
         assert_eq!(mesh.euler_characteristic() as f64, characteristic);
         for degree in 0..=2 {
@@ -38,9 +41,16 @@ fn gauss_bonnet_on_torus_and_sphere() {
             let hats = Lagrange::new(&mesh, 1);
             let [t, f, s] = curvature(&g, &hats, 40).pair(&vec![1.0; hats.len()]);
             let expected = 4.0 * std::f64::consts::PI * characteristic;
-            assert!((t + f + s - expected).abs() < 1e-11, "r = {degree}: {}", t + f + s - expected);
+            assert!(
+                (t + f + s - expected).abs() < 1e-11,
+                "r = {degree}: {}",
+                t + f + s - expected
+            );
             if degree > 0 {
-                assert!(f.abs() > 1e-3, "the edges must contribute for the test to mean something: {f}");
+                assert!(
+                    f.abs() > 1e-3,
+                    "the edges must contribute for the test to mean something: {f}"
+                );
             }
         }
     }
@@ -80,8 +90,10 @@ impl<const N: usize> PullBack<'_, N> {
         let space = Lagrange::new(mesh, degree);
         let mut random = SplitMix64::new(11);
         let mut phi = vec![SVector::zeros(); space.len()];
-        let moves: Vec<SVector<f64, N>> =
-            phi.iter().map(|_| SVector::from_fn(|_, _| noise * random.symmetric())).collect();
+        let moves: Vec<SVector<f64, N>> = phi
+            .iter()
+            .map(|_| SVector::from_fn(|_, _| noise * random.symmetric()))
+            .collect();
         let basis = space.basis(N);
         for cell in 0..mesh.cells() {
             for (i, dof) in space.cell_dofs(cell).enumerate() {
@@ -134,7 +146,10 @@ fn pull_back_is_flat<const N: usize>(side: usize, s: usize, order: usize, tolera
     assert!(worst < tolerance, "N = {N}, s = {s}: {worst:e}");
     if s > 1 {
         let coefficients = g.coefficients();
-        let spread = coefficients.iter().map(|c| (c - coefficients[0]).abs()).fold(0.0, f64::max);
+        let spread = coefficients
+            .iter()
+            .map(|c| (c - coefficients[0]).abs())
+            .fold(0.0, f64::max);
         assert!(spread > 1e-3, "the metric is not constant on cells");
     }
 }
@@ -158,10 +173,16 @@ fn scales<const N: usize>(degree: usize) {
     let scaled = g.coefficients().iter().map(|x| c * c * x).collect();
     let scaled = space.function(scaled).expect("as many");
     let test = Lagrange::new(&mesh, 2);
-    let (one, other) = (curvature(&g, &test, 6).total(), curvature(&scaled, &test, 6).total());
+    let (one, other) = (
+        curvature(&g, &test, 6).total(),
+        curvature(&scaled, &test, 6).total(),
+    );
     let size = largest(&one);
     for (a, b) in one.iter().zip(&other) {
-        assert!((a * c.powi(N as i32 - 2) - b).abs() < 1e-12 * size, "{a} {b}");
+        assert!(
+            (a * c.powi(N as i32 - 2) - b).abs() < 1e-12 * size,
+            "{a} {b}"
+        );
     }
 }
 
@@ -184,7 +205,12 @@ fn relabels<const N: usize>(degree: usize) {
         points[new_of(v)] = mesh.points().expect("coordinates")[v];
     }
     let cells: Vec<Vec<usize>> = (0..mesh.cells())
-        .map(|c| mesh.vertices(N, c).iter().map(|&v| new_of(v as usize)).collect())
+        .map(|c| {
+            mesh.vertices(N, c)
+                .iter()
+                .map(|&v| new_of(v as usize))
+                .collect()
+        })
         .collect();
     let other = Mesh::new(points, &cells).expect("the same mesh");
     // The rules on tetrahedra are not symmetric: their error must be at rounding level too.
@@ -200,7 +226,10 @@ fn relabels<const N: usize>(degree: usize) {
     let (ours, theirs) = (on(&mesh), on(&other));
     for v in 0..count {
         let (a, b) = (ours[v], theirs[new_of(v)]);
-        assert!((a - b).abs() < 1e-12 * largest(&ours), "N = {N}, r = {degree}: {a} {b}");
+        assert!(
+            (a - b).abs() < 1e-12 * largest(&ours),
+            "N = {N}, r = {degree}: {a} {b}"
+        );
     }
 }
 
@@ -218,7 +247,10 @@ fn first_variation<const N: usize>(mesh: &Mesh<N>, degree: usize, order: usize, 
     let space = ReggeSpace::new(mesh, degree);
     // Alfeld's cells are thin: in N = 4 a noise of 0.1 can make them degenerate.
     let noise = if N == 4 { 0.02 } else { 0.1 };
-    let (g, sigma) = (random_regge(&space, noise, 21), random_regge(&space, 1.0, 22));
+    let (g, sigma) = (
+        random_regge(&space, noise, 21),
+        random_regge(&space, 1.0, 22),
+    );
     let test = Lagrange::new(mesh, 2);
     let rules = Rules::new::<N>(order);
     let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, 1.0), &sigma);
@@ -236,7 +268,10 @@ fn first_variation<const N: usize>(mesh: &Mesh<N>, degree: usize, order: usize, 
         tested += 1;
     }
     assert!(tested > 0 && scale > 1e-3, "something must be tested");
-    assert!(N == 2 || largest(&a) > 1e-3 * scale, "a_h must matter when N > 2");
+    assert!(
+        N == 2 || largest(&a) > 1e-3 * scale,
+        "a_h must matter when N > 2"
+    );
 }
 
 #[test]
@@ -248,10 +283,20 @@ fn first_variation_is_b_minus_a() {
         let order = [2, 16, 20][degree];
         let tolerance = [1e-12, 1e-9, 1e-9][degree];
         first_variation::<3>(&crooked_cube::<3>(2, 1), degree, order, tolerance);
-        first_variation::<3>(&Mesh::simplex_boundary().expect("a sphere"), degree, order, tolerance);
+        first_variation::<3>(
+            &Mesh::simplex_boundary().expect("a sphere"),
+            degree,
+            order,
+            tolerance,
+        );
         let order = [2, 14, 18][degree];
         let tolerance = [1e-12, 1e-8, 1e-8][degree];
-        first_variation::<4>(&Mesh::alfeld().expect("Alfeld's split"), degree, order, tolerance);
+        first_variation::<4>(
+            &Mesh::alfeld().expect("Alfeld's split"),
+            degree,
+            order,
+            tolerance,
+        );
     }
 }
 
@@ -265,7 +310,11 @@ fn lanes_agree_with_f64() {
     let rules = Rules::new::<3>(7);
     let one = distributional_curvature::<f64, _, _>(&g, &test, &rules);
     let four = distributional_curvature::<Lanes, _, _>(&g, &test, &rules);
-    for (a, b) in [(&one.element, &four.element), (&one.face, &four.face), (&one.hinge, &four.hinge)] {
+    for (a, b) in [
+        (&one.element, &four.element),
+        (&one.face, &four.face),
+        (&one.hinge, &four.hinge),
+    ] {
         let scale = largest(a);
         assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13 * scale));
     }

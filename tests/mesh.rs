@@ -33,8 +33,14 @@ fn cubes_and_tori_have_the_right_numbers() {
 #[test]
 fn the_papers_meshes() {
     for k in 0..4 {
-        assert_eq!(Mesh::<2>::cube(1 << k).expect("a square").cells(), 2 * 4usize.pow(k));
-        assert_eq!(Mesh::<3>::cube(1 << k).expect("a cube").cells(), 6 * 8usize.pow(k));
+        assert_eq!(
+            Mesh::<2>::cube(1 << k).expect("a square").cells(),
+            2 * 4usize.pow(k)
+        );
+        assert_eq!(
+            Mesh::<3>::cube(1 << k).expect("a cube").cells(),
+            6 * 8usize.pow(k)
+        );
     }
 }
 
@@ -91,7 +97,10 @@ fn perturbation_is_reproducible() {
     let other = mesh.perturbed_as_in_paper(3, 6).expect("a mesh");
     assert_eq!(one.points(), same.points());
     assert_ne!(one.points(), other.points());
-    let (before, after) = (mesh.points().expect("points"), one.points().expect("points"));
+    let (before, after) = (
+        mesh.points().expect("points"),
+        one.points().expect("points"),
+    );
     for v in 0..mesh.count(0) {
         let moved = (after[v] - before[v]).amax();
         // h̃ 2^{−5/2} with h̃ = √2 2^{1−k}: a quarter of a cell's side (claims.md, N03).
@@ -104,7 +113,10 @@ fn perturbation_is_reproducible() {
 fn too_large_a_perturbation_is_refused_by_cell() {
     let mesh = Mesh::<2>::cube(4).expect("a square");
     let error = mesh.perturbed(0.5, 1).expect_err("cells are inverted");
-    assert!(matches!(error, Error::Cell { .. }) && error.to_string().contains("inverted"), "{error}");
+    assert!(
+        matches!(error, Error::Cell { .. }) && error.to_string().contains("inverted"),
+        "{error}"
+    );
 }
 
 fn point(x: f64, y: f64) -> Vector<f64, 2> {
@@ -112,7 +124,12 @@ fn point(x: f64, y: f64) -> Vector<f64, 2> {
 }
 
 fn square() -> Vec<Vector<f64, 2>> {
-    vec![point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0), point(1.0, 1.0)]
+    vec![
+        point(0.0, 0.0),
+        point(1.0, 0.0),
+        point(0.0, 1.0),
+        point(1.0, 1.0),
+    ]
 }
 
 /// Each kind of bad input: one line that names the place.
@@ -120,12 +137,25 @@ fn square() -> Vec<Vector<f64, 2>> {
 fn bad_input_is_named() {
     let refuse = |points: Vec<Vector<f64, 2>>, cells: &[&[usize]], expected: &str| {
         let cells: Vec<Vec<usize>> = cells.iter().map(|c| c.to_vec()).collect();
-        let error = Mesh::<2>::new(points, &cells).expect_err(expected).to_string();
-        assert!(error.contains(expected), "{error:?} should contain {expected:?}");
+        let error = Mesh::<2>::new(points, &cells)
+            .expect_err(expected)
+            .to_string();
+        assert!(
+            error.contains(expected),
+            "{error:?} should contain {expected:?}"
+        );
         assert!(!error.contains('\n'));
     };
-    refuse(square(), &[&[0, 1, 2], &[1, 1, 3]], "cell 1: vertex 1 is repeated");
-    refuse(square(), &[&[0, 1, 2], &[1, 2, 4]], "cell 1: vertex 4 does not exist");
+    refuse(
+        square(),
+        &[&[0, 1, 2], &[1, 1, 3]],
+        "cell 1: vertex 1 is repeated",
+    );
+    refuse(
+        square(),
+        &[&[0, 1, 2], &[1, 2, 4]],
+        "cell 1: vertex 4 does not exist",
+    );
     refuse(square(), &[&[0, 1, 2], &[1, 2]], "cell 1: has 2 vertices");
     refuse(square(), &[&[0, 1, 2]], "vertex 3: belongs to no cell");
     refuse(square(), &[], "0 cells");
@@ -140,10 +170,18 @@ fn bad_input_is_named() {
     refuse(folded, &[&[0, 1, 2], &[1, 2, 3]], "cell 1: inverted");
     let mut three = square();
     three.push(point(2.0, 2.0));
-    refuse(three, &[&[0, 1, 2], &[1, 2, 3], &[1, 2, 4]], "3 cells share this face");
+    refuse(
+        three,
+        &[&[0, 1, 2], &[1, 2, 3], &[1, 2, 4]],
+        "3 cells share this face",
+    );
     let mut bow = square();
     bow.push(point(-1.0, 0.0));
     bow.push(point(-1.0, -1.0));
-    refuse(bow, &[&[0, 1, 2], &[1, 2, 3], &[0, 4, 5]], "not connected through the faces");
+    refuse(
+        bow,
+        &[&[0, 1, 2], &[1, 2, 3], &[0, 4, 5]],
+        "not connected through the faces",
+    );
     assert!(Mesh::<2>::torus(2).is_err());
 }

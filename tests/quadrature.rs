@@ -6,7 +6,8 @@ use regge::simplex::{factorial, multi_indices};
 /// ∫ λ^α dμ = α! / (|α| + dim)! on the reference simplex.
 fn moment(alpha: &[usize]) -> f64 {
     let dim = alpha.len() - 1;
-    alpha.iter().map(|&a| factorial(a)).product::<f64>() / factorial(alpha.iter().sum::<usize>() + dim)
+    alpha.iter().map(|&a| factorial(a)).product::<f64>()
+        / factorial(alpha.iter().sum::<usize>() + dim)
 }
 
 fn error(rule: &Rule, alpha: &[usize]) -> f64 {
@@ -16,11 +17,12 @@ fn error(rule: &Rule, alpha: &[usize]) -> f64 {
             rule.weights()[q] * powers.map(|(l, &a)| l.powi(a as i32)).product::<f64>()
         })
         .sum();
-    (value - moment(alpha)).abs() / moment(&{
-        let mut constant = vec![0; alpha.len()];
-        constant[0] = alpha.iter().sum();
-        constant
-    })
+    (value - moment(alpha)).abs()
+        / moment(&{
+            let mut constant = vec![0; alpha.len()];
+            constant[0] = alpha.iter().sum();
+            constant
+        })
 }
 
 /// Positive weights, points inside, all moments to the rule's order: to 1e-13 of the largest moment of the degree.
@@ -29,16 +31,25 @@ fn rules_are_positive_and_exact() {
     for (dim, largest) in [(1, 41), (2, 34), (3, 20), (4, 10), (5, 7)] {
         for order in 0..=largest {
             let rule = Rule::new(dim, order);
-            assert!(rule.weights().iter().all(|w| *w > 0.0), "dim {dim}, order {order}");
+            assert!(
+                rule.weights().iter().all(|w| *w > 0.0),
+                "dim {dim}, order {order}"
+            );
             for q in 0..rule.len() {
                 let lambda = rule.points().lambda(q);
-                assert!(lambda.iter().all(|l| (0.0..=1.0).contains(l)), "dim {dim}, order {order}");
+                assert!(
+                    lambda.iter().all(|l| (0.0..=1.0).contains(l)),
+                    "dim {dim}, order {order}"
+                );
                 assert!((lambda.iter().sum::<f64>() - 1.0).abs() < 1e-14);
             }
             // The highest degrees are the hardest; the lower ones follow from them by Σ λ = 1.
             for alpha in multi_indices(dim + 1, order) {
                 let error = error(&rule, &alpha);
-                assert!(error < 1e-13, "dim {dim}, order {order}, {alpha:?}: {error:e}");
+                assert!(
+                    error < 1e-13,
+                    "dim {dim}, order {order}, {alpha:?}: {error:e}"
+                );
             }
         }
     }

@@ -11,7 +11,8 @@ use regge::mesh::Mesh;
 use regge::metrics::Metric;
 use regge::quadrature::Rule;
 use regge::regge::{
-    Canonical, Interpolant, Projection, ReggeSpace, dofs_per_simplex, geodesic_interpolant, geodesic_length,
+    Canonical, Interpolant, Projection, ReggeSpace, dofs_per_simplex, geodesic_interpolant,
+    geodesic_length,
 };
 use regge::simplex::{binomial, subsets};
 use regge::smooth::Smooth;
@@ -21,8 +22,14 @@ use regge::smooth::Smooth;
 fn dimension_formula() {
     for n in 2..=6 {
         for r in 0..=6 {
-            let sum: usize = (1..=n).map(|k| binomial(n + 1, k + 1) * dofs_per_simplex(r, k)).sum();
-            assert_eq!(sum, binomial(n + r, n) * n * (n + 1) / 2, "N = {n}, r = {r}");
+            let sum: usize = (1..=n)
+                .map(|k| binomial(n + 1, k + 1) * dofs_per_simplex(r, k))
+                .sum();
+            assert_eq!(
+                sum,
+                binomial(n + r, n) * n * (n + 1) / 2,
+                "N = {n}, r = {r}"
+            );
         }
     }
 }
@@ -30,13 +37,19 @@ fn dimension_formula() {
 /// N04: the numbers of degrees of freedom that the paper plots, k = 0…2.
 #[test]
 fn the_papers_numbers_of_degrees_of_freedom() {
-    for (k, plotted) in [[5, 16, 33], [16, 56, 120], [56, 208, 456]].iter().enumerate() {
+    for (k, plotted) in [[5, 16, 33], [16, 56, 120], [56, 208, 456]]
+        .iter()
+        .enumerate()
+    {
         let mesh = Mesh::<2>::cube(1 << k).expect("a square");
         for r in 0..3 {
             assert_eq!(ReggeSpace::new(&mesh, r).len(), plotted[r]);
         }
     }
-    for (k, plotted) in [[19, 92, 255], [98, 556, 1662], [604, 3800, 11892]].iter().enumerate() {
+    for (k, plotted) in [[19, 92, 255], [98, 556, 1662], [604, 3800, 11892]]
+        .iter()
+        .enumerate()
+    {
         let mesh = Mesh::<3>::cube(1 << k).expect("a cube");
         for r in 0..3 {
             assert_eq!(ReggeSpace::new(&mesh, r).len(), plotted[r]);
@@ -55,7 +68,10 @@ fn duality<const N: usize>(mesh: &Mesh<N>, degree: usize) {
         let values: Vec<f64> = canonical.evaluate(&psi, 2 * degree + 1);
         for (i, value) in values.iter().enumerate() {
             let expected = if i == j { 1.0 } else { 0.0 };
-            assert!((value - expected).abs() < 1e-10, "N = {N}, r = {degree}: ℓ_{i}(ψ_{j}) = {value}");
+            assert!(
+                (value - expected).abs() < 1e-10,
+                "N = {N}, r = {degree}: ℓ_{i}(ψ_{j}) = {value}"
+            );
         }
     }
 }
@@ -84,7 +100,10 @@ fn continuity<const N: usize>(degree: usize) {
             let on = &subsets(N + 1, N)[side.place];
             let table = TensorField::<f64, N>::tabulate(&g, &rule.points().embed(on, N + 1));
             let local = TensorField::<f64, N>::on_cell(&g, side.cell);
-            let to_x = mesh.jacobian(side.cell).and_then(|j| j.try_inverse()).expect("regular");
+            let to_x = mesh
+                .jacobian(side.cell)
+                .and_then(|j| j.try_inverse())
+                .expect("regular");
             let at = |q: usize| -> Mat<f64, N> {
                 to_x.transpose() * TensorField::<f64, N>::value(&g, &local, &table, q) * to_x
             };
@@ -125,7 +144,9 @@ fn projector<const N: usize>(degree: usize) {
     let g = random_regge(&space, 0.05, 6);
     let discrete = Projection::by(Rule::new(N, 2 * degree));
     for interpolant in [
-        Interpolant::Canonical { order: 2 * degree + 1 },
+        Interpolant::Canonical {
+            order: 2 * degree + 1,
+        },
         Interpolant::Average(Projection::exact::<N>(degree)),
         Interpolant::Average(discrete.clone()),
         Interpolant::AverageHierarchical(Projection::exact::<N>(degree)),
@@ -133,7 +154,10 @@ fn projector<const N: usize>(degree: usize) {
     ] {
         let h = interpolant.apply(&space, &g).expect("a metric");
         for (a, b) in g.coefficients().iter().zip(h.coefficients()) {
-            assert!((a - b).abs() < 1e-11, "N = {N}, r = {degree}, {interpolant:?}: {a} {b}");
+            assert!(
+                (a - b).abs() < 1e-11,
+                "N = {N}, r = {degree}, {interpolant:?}: {a} {b}"
+            );
         }
     }
 }
@@ -154,7 +178,11 @@ fn interpolates_as_oracle<const N: usize>(oracle: &Oracle) {
     let mesh = oracle.mesh::<N>();
     let space = oracle.space(&mesh);
     let theirs = oracle.metric(&space);
-    let named = Metric::ALL.iter().find(|m| m.0 == oracle.metric).expect("a known metric").1;
+    let named = Metric::ALL
+        .iter()
+        .find(|m| m.0 == oracle.metric)
+        .expect("a known metric")
+        .1;
     let g = Smooth::new(&mesh, named).expect("coordinates");
     let interpolant = match oracle.interpolant.as_str() {
         "canonical" => Interpolant::Canonical { order: 20 },
@@ -185,18 +213,33 @@ fn the_two_averages_differ() {
     for degree in 0..=2 {
         let space = ReggeSpace::new(&mesh, degree);
         let exact = Projection::exact::<3>(degree);
-        let one = Interpolant::Average(exact.clone()).apply(&space, &g).expect("a metric");
-        let other = Interpolant::AverageHierarchical(exact).apply(&space, &g).expect("a metric");
+        let one = Interpolant::Average(exact.clone())
+            .apply(&space, &g)
+            .expect("a metric");
+        let other = Interpolant::AverageHierarchical(exact)
+            .apply(&space, &g)
+            .expect("a metric");
         let difference = one.coefficients().iter().zip(other.coefficients());
         let difference = difference.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(if degree == 0 { difference < 1e-13 } else { difference > 1e-4 }, "{degree}: {difference:e}");
+        assert!(
+            if degree == 0 {
+                difference < 1e-13
+            } else {
+                difference > 1e-4
+            },
+            "{degree}: {difference:e}"
+        );
     }
 }
 
 /// Stereographic coordinates of the unit sphere: |x−y|_chord = 2|x−y|/√((1+|x|²)(1+|y|²)), distance 2 asin(chord/2).
 #[test]
 fn geodesics_of_the_sphere() {
-    for (a, b) in [([-0.9, 0.4], [0.3, 0.8]), ([0.1, 0.2], [0.15, 0.18]), ([-0.6, -0.6], [0.7, 0.5])] {
+    for (a, b) in [
+        ([-0.9, 0.4], [0.3, 0.8]),
+        ([0.1, 0.2], [0.15, 0.18]),
+        ([-0.6, -0.6], [0.7, 0.5]),
+    ] {
         let (a, b): (Vector<f64, 2>, Vector<f64, 2>) = (a.into(), b.into());
         let product: f64 = (1.0 + a.norm_squared()) * (1.0 + b.norm_squared());
         let chord: f64 = 2.0 * (a - b).norm() / product.sqrt();
@@ -209,7 +252,10 @@ fn geodesics_of_the_sphere() {
 /// The ball model of radius ρ = √12 in N = 3: cosh(d/ρ) = 1 + 2ρ²|x−y|²/((ρ²−|x|²)(ρ²−|y|²)).
 #[test]
 fn geodesics_of_hyperbolic_space() {
-    let (a, b) = (Vector::<f64, 3>::from([0.9, -0.8, 0.1]), Vector::from([-0.5, 0.7, 0.6]));
+    let (a, b) = (
+        Vector::<f64, 3>::from([0.9, -0.8, 0.1]),
+        Vector::from([-0.5, 0.7, 0.6]),
+    );
     let square: f64 = 12.0;
     let ratio: f64 = 2.0 * square * (a - b).norm_squared()
         / ((square - a.norm_squared()) * (square - b.norm_squared()));
@@ -243,8 +289,14 @@ fn refusals_name_the_place() {
     let mut lengths = vec![1.0; space.len()];
     lengths[3] = 9.0;
     let g = space.function(lengths).expect("as many");
-    let error = g.check_positive(Rule::new(2, 1).points()).expect_err("the triangle inequality").to_string();
-    assert!(error.contains("cell") && error.contains("barycentric point"), "{error}");
+    let error = g
+        .check_positive(Rule::new(2, 1).points())
+        .expect_err("the triangle inequality")
+        .to_string();
+    assert!(
+        error.contains("cell") && error.contains("barycentric point"),
+        "{error}"
+    );
     // Twice the square: its corners are outside of the ball |x|² < 8 of the hyperbolic plane.
     let corners = [[-3.0, -3.0], [3.0, -3.0], [-3.0, 3.0], [3.0, 3.0]];
     let large = Mesh::<2>::new(
@@ -255,5 +307,8 @@ fn refusals_name_the_place() {
     let error = geodesic_interpolant(&ReggeSpace::new(&large, 0), &Metric::Hyperbolic)
         .expect_err("outside")
         .to_string();
-    assert!(error.contains("edge 0-1") && error.contains("leaves the domain"), "{error}");
+    assert!(
+        error.contains("edge 0-1") && error.contains("leaves the domain"),
+        "{error}"
+    );
 }

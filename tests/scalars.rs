@@ -10,7 +10,11 @@ use regge::scalar::{Algebraic, Field, Lanes, Real};
 use regge::smooth::SmoothTensor;
 
 fn close(a: f64, b: f64, tolerance: f64) {
-    assert!((a - b).abs() <= tolerance * (1.0 + b.abs()), "{a} and {b} differ by {:e}", a - b);
+    assert!(
+        (a - b).abs() <= tolerance * (1.0 + b.abs()),
+        "{a} and {b} differ by {:e}",
+        a - b
+    );
 }
 
 /// dθ = (cos ds − sin dc)/(s² + c²) at every angle, the right and the flat ones included, where num-dual's atan2 and
@@ -52,7 +56,10 @@ fn jets_and_nested_duals_agree() {
         let nested = formula(Dual::new(Dual64::new(x, 1.0), Dual64::new(1.0, 0.0)));
         let hyper = formula(HyperDual64::new(x, 1.0, 1.0, 0.0));
         close(jet.value, formula(x), 1e-15);
-        for (d, dd) in [(nested.eps.re, nested.eps.eps), (hyper.eps1, hyper.eps1eps2)] {
+        for (d, dd) in [
+            (nested.eps.re, nested.eps.eps),
+            (hyper.eps1, hyper.eps1eps2),
+        ] {
             close(jet.d[0], d, 1e-13);
             close(jet.dd[0][0], dd, 1e-12);
         }
@@ -75,7 +82,8 @@ fn lanes_are_four_numbers() {
 /// A⁻¹A = 1 and det A by LDLᵀ against nalgebra's LU, and the derivative of det: det · Tr(A⁻¹ dA).
 #[test]
 fn inverse_and_determinant() {
-    let a: Mat<f64, 4> = symmetric(|i, j| 1.0 / (1.0 + (i + j) as f64) + f64::from(u8::from(i == j)));
+    let a: Mat<f64, 4> =
+        symmetric(|i, j| 1.0 / (1.0 + (i + j) as f64) + f64::from(u8::from(i == j)));
     let rate: Mat<f64, 4> = symmetric(|i, j| (i as f64 - 1.3) * (j as f64 + 0.2) + (i * j) as f64);
     let moving = a.zip_map(&rate, Dual64::new);
     let (inverse, det) = inverse_and_det(&moving);
@@ -99,7 +107,12 @@ fn curvature<S: Real, const N: usize>(metric: Metric, x: [S; N]) -> S {
 /// Closed forms: N(N−1) on the unit sphere, −N(N−1)/ρ² in hyperbolic space, Gauss' equation for a graph.
 fn closed_forms<const N: usize>() {
     let x: [f64; N] = std::array::from_fn(|i| 0.3 - 0.2 * i as f64);
-    for metric in [Metric::Flat, Metric::Sphere, Metric::Hyperbolic, Metric::GraphQuartic] {
+    for metric in [
+        Metric::Flat,
+        Metric::Sphere,
+        Metric::Hyperbolic,
+        Metric::GraphQuartic,
+    ] {
         let known = metric.scalar_curvature(&x).expect("a closed form");
         close(curvature(metric, x), known, 1e-13);
     }
@@ -119,7 +132,13 @@ fn curvature_of_the_papers_graph() {
     let (x, y): (f64, f64) = (0.4, -0.7);
     let q = |x: f64| x * x * (x * x - 3.0) * (x * x - 3.0);
     let printed = 162.0 * (1.0 - x * x) * (1.0 - y * y) / (9.0 + q(x) + q(y)).powi(2);
-    close(Metric::GraphQuartic.scalar_curvature(&[x, y]).expect("a closed form"), printed, 1e-14);
+    close(
+        Metric::GraphQuartic
+            .scalar_curvature(&[x, y])
+            .expect("a closed form"),
+        printed,
+        1e-14,
+    );
 }
 
 /// The derivative of R along a line by dual numbers, against a central difference (the only use of one).
@@ -145,9 +164,19 @@ fn divergence_and_laplacian() {
     let trace = regge::riemann::trace(&inverse, &sigma);
     let connection = Connection::new(&g);
     let spread = symmetric(|i, j| g[(i, j)] * trace);
-    close(connection.div_div(&spread), connection.laplacian(&trace), 1e-13);
+    close(
+        connection.div_div(&spread),
+        connection.laplacian(&trace),
+        1e-13,
+    );
     let hessian = connection.lower().hessian(&trace);
-    close(connection.lower().trace(&hessian), connection.laplacian(&trace), 1e-13);
-    let gradient = connection.lower().sharp(&SVector::from_fn(|m, _| trace.d(m).value));
+    close(
+        connection.lower().trace(&hessian),
+        connection.laplacian(&trace),
+        1e-13,
+    );
+    let gradient = connection
+        .lower()
+        .sharp(&SVector::from_fn(|m, _| trace.d(m).value));
     assert!(gradient.norm() > 0.0);
 }

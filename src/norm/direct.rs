@@ -4,10 +4,10 @@ use super::BiharmonicSolver;
 use super::cell::eliminate;
 use super::factor::Factor;
 use super::hhj::{Deflection, Hhj};
-use super::ordered::ordered_map;
 use super::sparse::Upper;
 use super::unknowns::Unknowns;
 use crate::Error;
+use crate::parallel::in_order;
 
 /// How many cells' matrices are held at a time.
 const CHUNK: usize = 1024;
@@ -35,18 +35,18 @@ impl Direct {
         let mut places = vec![0; unknowns.len()];
         let mut bubbles = Vec::with_capacity(mesh.cells() * layout.bubbles * layout.len);
         for begin in (0..mesh.cells()).step_by(CHUNK) {
-            let chunk = begin..mesh.cells().min(begin + CHUNK);
-            let eliminated = ordered_map(chunk.clone(), |cell| {
-                let mut energy = hhj.energy(cell);
+            let eliminated = |i: usize| {
+                let mut energy = hhj.energy(begin + i);
                 eliminate(&mut energy, layout.bubbles);
                 energy
-            });
-            for (cell, local) in chunk.zip(&eliminated) {
+            };
+            in_order(CHUNK.min(mesh.cells() - begin), eliminated, |i, local| {
+                let cell = begin + i;
                 bubbles.extend_from_slice(&local.as_slice()[..layout.bubbles * layout.len]);
                 let blocks: Vec<_> = unknowns.of_cell(mesh, layout, cell).collect();
                 unknowns.locate(layout, &blocks, &hhj.cell_unknowns(cell), &mut places);
-                matrix.add(layout, &unknowns, &blocks, local);
-            }
+                matrix.add(layout, &unknowns, &blocks, &local);
+            });
         }
         let factor = if places.is_empty() {
             None
@@ -60,7 +60,7 @@ impl Direct {
         })
     }
 
-    /// The bubbles of each cell with their columns of L: (indices in a [`Deflection`], row-major in columns).
+    /// The bubbles of each cell with their columns of L: (indices in a [`Deflection`], column after column).
     fn eliminations<const N: usize>(
         &self,
         hhj: &Hhj<'_, N>,

@@ -3,7 +3,6 @@
 use super::cell::Shape;
 use super::element::Element;
 use super::layout::{Layout, slopes};
-use super::ordered::ordered_map;
 use crate::Error;
 use crate::lagrange::Lagrange;
 use crate::linalg::{Mat, Vector};
@@ -48,8 +47,8 @@ impl<'m, const N: usize> Hhj<'m, N> {
                 "a mesh without boundary cannot be clamped".into(),
             ));
         }
-        let shapes: Option<Vec<_>> = ordered_map(0..mesh.cells(), |cell| Shape::new(mesh, cell))
-            .into_iter()
+        let shapes: Option<Vec<_>> = (0..mesh.cells())
+            .map(|cell| Shape::new(mesh, cell))
             .collect();
         let shapes = shapes.ok_or(Error::NoCoordinates("the biharmonic problem"))?;
         let space = Lagrange::new(mesh, degree);

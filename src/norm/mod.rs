@@ -8,6 +8,9 @@
 //!
 //! and ‖f‖² = ‖u‖² + ‖∇u‖² + ‖σ‖² in L²(Ω). For the curvature of a Regge metric of degree r the paper takes p = r+2.
 //!
+//! For smooth u the method is of order p+1 in u and p in σ (L²) in the plane; in space of order min(p+1, 2(p−1)) and
+//! p−1 only, so that p = 1 does not converge there (`tests/norm.rs`).
+//!
 //! The continuity of the moments is enforced by the slopes ∂_n u on the interior faces (hybridisation); moments and
 //! bubbles are condensed cell by cell. Results are the same bit for bit whatever the number of threads.
 
@@ -18,7 +21,6 @@ mod element;
 mod factor;
 mod hhj;
 mod layout;
-mod ordered;
 mod sparse;
 mod unknowns;
 
@@ -28,12 +30,13 @@ pub use hhj::{Deflection, Hhj};
 use crate::Error;
 use crate::lagrange::Lagrange;
 use crate::mesh::Mesh;
+use crate::parallel::in_order;
 use crate::quadrature::Rule;
-use ordered::ordered_map;
 
 /// What solves the discrete problem: the seam at which a solver can be replaced.
 pub trait BiharmonicSolver<const N: usize>: std::fmt::Debug + Send + Sync {
-    /// The (u, û) of a load, which holds f(v) for each v of [`Hhj::space`]; entries of v on ∂Ω are to be ignored.
+    /// The (u, û) of a load for the discretisation that the solver was made for. The load holds f(v) for each v of
+    /// [`Hhj::space`]; entries of v on ∂Ω are to be ignored.
     ///
     /// # Errors
     /// If the solver gives up.
@@ -144,13 +147,13 @@ impl<'m, const N: usize> HMinus2<'m, N> {
             ));
         }
         let table = self.hhj.table(rule);
-        let cells = 0..self.hhj.mesh().cells();
         let mut sums = [0.0; 3];
-        for squares in ordered_map(cells, |cell| self.hhj.squares(deflection, cell, &table)) {
+        let squares = |cell| self.hhj.squares(deflection, cell, &table);
+        in_order(self.hhj.mesh().cells(), squares, |_, squares| {
             for (sum, square) in sums.iter_mut().zip(squares) {
                 *sum += square;
             }
-        }
+        });
         let [u_l2, u_h1, sigma_l2] = sums.map(f64::sqrt);
         Ok(HMinus2Norm {
             u_l2,

@@ -21,7 +21,10 @@ impl Rule {
     /// In dimension 0 the rule is the value at the point.
     pub fn new(dim: usize, order: usize) -> Self {
         match dim {
-            0 => Self { points: Points::new(1, vec![1.0]), weights: vec![1.0] },
+            0 => Self {
+                points: Points::new(1, vec![1.0]),
+                weights: vec![1.0],
+            },
             _ => tabulated(dim, order).unwrap_or_else(|| conical(dim, order)),
         }
     }
@@ -96,7 +99,10 @@ fn conical_over(dim: usize, order: usize, base: &Rule) -> Rule {
             weights.push(w * base.weights[q]);
         }
     }
-    Rule { points: Points::new(dim + 1, lambda), weights }
+    Rule {
+        points: Points::new(dim + 1, lambda),
+        weights,
+    }
 }
 
 /// Xiao and Gimbutas, as tabulated by the crate quadraturerules: barycentric points, weights with sum 1.

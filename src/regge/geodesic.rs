@@ -28,7 +28,10 @@ pub fn geodesic_interpolant<'s, const N: usize>(
     g: &impl SmoothTensor<N>,
 ) -> Result<ReggeFunction<'s, f64, N>, Error> {
     if space.degree() != 0 {
-        let reason = format!("the geodesic interpolant has degree 0, not {}", space.degree());
+        let reason = format!(
+            "the geodesic interpolant has degree 0, not {}",
+            space.degree()
+        );
         return Err(Error::Input(reason));
     }
     let mesh = space.mesh();
@@ -45,7 +48,10 @@ pub fn geodesic_interpolant<'s, const N: usize>(
         Ok(length) => coefficients.push(length * length),
         Err(reason) if failed.is_none() => {
             let v = mesh.vertices(1, edge);
-            failed = Some(Error::Edge { vertices: [v[0] as usize, v[1] as usize], reason });
+            failed = Some(Error::Edge {
+                vertices: [v[0] as usize, v[1] as usize],
+                reason,
+            });
         }
         Err(_) => {}
     });
@@ -61,7 +67,10 @@ pub fn geodesic_interpolant<'s, const N: usize>(
 fn ends<const N: usize>(mesh: &Mesh<N>, edge: usize) -> [Vector<f64, N>; 2] {
     let side = mesh.first_side(1, edge);
     let local = &crate::simplex::subsets(N + 1, 2)[side.place];
-    [0, 1].map(|i| mesh.corner(side.cell, local[i]).unwrap_or_else(Vector::zeros))
+    [0, 1].map(|i| {
+        mesh.corner(side.cell, local[i])
+            .unwrap_or_else(Vector::zeros)
+    })
 }
 
 /// The length of the geodesic of g from a to b that continues the straight line, to a relative 1e-12.
@@ -83,7 +92,9 @@ pub fn geodesic_length<const N: usize>(
         }
         before = length;
     }
-    Err(format!("its geodesic has no polynomial of degree {LARGEST_DEGREE}: refine the mesh"))
+    Err(format!(
+        "its geodesic has no polynomial of degree {LARGEST_DEGREE}: refine the mesh"
+    ))
 }
 
 /// x(s) = a + (b−a) s + Σ_k c_k φ_k(s), φ_k = ∫₀ˢ P_k(2t−1) dt, k = 1…m, which vanish at both ends.
@@ -118,7 +129,10 @@ impl<const N: usize> Curve<N> {
         Self {
             ends: [a, b],
             coefficients: DVector::zeros(degree * N),
-            phi: p.iter().map(|p| (1..=degree).map(|k| integral(p, k)).collect()).collect(),
+            phi: p
+                .iter()
+                .map(|p| (1..=degree).map(|k| integral(p, k)).collect())
+                .collect(),
             dphi: p.iter().map(|p| p[1..=degree].to_vec()).collect(),
             nodes,
             weights,
@@ -170,7 +184,10 @@ impl<const N: usize> Curve<N> {
         let mut before = f64::INFINITY;
         for _ in 0..25 {
             let (gradient, hessian) = self.derivatives(g, tau)?;
-            let step = hessian.lu().solve(&gradient).ok_or("its geodesic is not isolated")?;
+            let step = hessian
+                .lu()
+                .solve(&gradient)
+                .ok_or("its geodesic is not isolated")?;
             self.coefficients -= &step;
             let size = step.norm() / scale;
             // Quadratic convergence: after a step of 1e-9 the next is at rounding level.

@@ -16,7 +16,9 @@ pub fn random_regge<'s, const N: usize>(
 ) -> ReggeFunction<'s, f64, N> {
     let mesh = space.mesh();
     let mut random = SplitMix64::new(seed);
-    let factors: Vec<f64> = (0..space.len()).map(|_| 1.0 + noise * random.symmetric()).collect();
+    let factors: Vec<f64> = (0..space.len())
+        .map(|_| 1.0 + noise * random.symmetric())
+        .collect();
     let mut coefficients = vec![0.0; space.len()];
     for cell in 0..mesh.cells() {
         for (e, edge) in subsets(N + 1, 2).iter().enumerate() {
@@ -30,13 +32,17 @@ pub fn random_regge<'s, const N: usize>(
             }
         }
     }
-    space.function(coefficients).expect("as many coefficients as the space has")
+    space
+        .function(coefficients)
+        .expect("as many coefficients as the space has")
 }
 
 /// The cube with `side` cells a side, its inner vertices moved by up to a tenth of a cell.
 pub fn crooked_cube<const N: usize>(side: usize, seed: u64) -> Mesh<N> {
     let amplitude = 0.2 / side as f64;
-    Mesh::cube(side).and_then(|m| m.perturbed(amplitude, seed)).expect("small moves invert nothing")
+    Mesh::cube(side)
+        .and_then(|m| m.perturbed(amplitude, seed))
+        .expect("small moves invert nothing")
 }
 
 /// The largest absolute value.

@@ -25,12 +25,18 @@ impl<const N: usize> Polynomials<N> {
         });
         let inverse = corners.try_inverse().unwrap();
         let gradient = |v: usize| Vector::from_fn(|i, _| inverse[(i + 1, v)]);
-        Self { gradients: (0..=N).map(gradient).collect(), degree }
+        Self {
+            gradients: (0..=N).map(gradient).collect(),
+            degree,
+        }
     }
 
     fn value(alpha: &[usize], lambda: &[f64]) -> f64 {
         let degree: usize = alpha.iter().sum();
-        let powers = alpha.iter().zip(lambda).map(|(&a, l)| l.powi(a as i32) / factorial(a));
+        let powers = alpha
+            .iter()
+            .zip(lambda)
+            .map(|(&a, l)| l.powi(a as i32) / factorial(a));
         factorial(degree) * powers.product::<f64>()
     }
 
@@ -51,8 +57,12 @@ impl<const N: usize> Polynomials<N> {
         for v in (0..=N).filter(|&v| alpha[v] > 0) {
             let mut lower = alpha.to_vec();
             lower[v] -= 1;
-            let inner = Self { gradients: self.gradients.clone(), degree: self.degree - 1 };
-            sum += self.gradients[v] * inner.gradient(&lower, lambda).transpose() * self.degree as f64;
+            let inner = Self {
+                gradients: self.gradients.clone(),
+                degree: self.degree - 1,
+            };
+            sum +=
+                self.gradients[v] * inner.gradient(&lower, lambda).transpose() * self.degree as f64;
         }
         sum
     }
@@ -89,7 +99,16 @@ fn assemble<const N: usize>(mesh: &Mesh<N>, space: &Lagrange<N>) -> System<N> {
         let polynomials = Polynomials::new(mesh, cell, p);
         inside(mesh, space, cell, &polynomials, &moments, &mut system);
         for place in 0..=N {
-            around(mesh, space, cell, place, &polynomials, &moments, &faces, &mut system);
+            around(
+                mesh,
+                space,
+                cell,
+                place,
+                &polynomials,
+                &moments,
+                &faces,
+                &mut system,
+            );
         }
     }
     system
@@ -110,13 +129,17 @@ fn inside<const N: usize>(
     let dofs: Vec<usize> = space.cell_dofs(cell).collect();
     for q in 0..rule.len() {
         let (weight, lambda) = (volume * rule.weights()[q], rule.points().lambda(q));
-        let values: Vec<f64> = moments.iter().map(|m| Polynomials::<N>::value(m, lambda)).collect();
+        let values: Vec<f64> = moments
+            .iter()
+            .map(|m| Polynomials::<N>::value(m, lambda))
+            .collect();
         for (a, &pair) in pairs.iter().enumerate() {
             for k in 0..moments.len() {
                 let row = first + a * moments.len() + k;
                 for l in 0..moments.len() {
                     let column = first + a * moments.len() + l;
-                    system.mass[(row, column)] += weight * values[k] * values[l] * unit::<N>(pair).norm_squared();
+                    system.mass[(row, column)] +=
+                        weight * values[k] * values[l] * unit::<N>(pair).norm_squared();
                 }
                 for (alpha, &dof) in multi_indices(N + 1, space.degree()).iter().zip(&dofs) {
                     let contraction = unit::<N>(pair).dot(&polynomials.hessian(alpha, lambda));
@@ -144,9 +167,17 @@ fn around<const N: usize>(
     let face = mesh.simplices_of(cell, N - 1)[place] as usize;
     let normal = -polynomials.gradients[N - place].normalize();
     // √(det of the Gram matrix of the edges): the rule's weights add up to 1/(N−1)!.
-    let edge = |i: usize| mesh.corner(cell, corners[i + 1]).unwrap() - mesh.corner(cell, corners[0]).unwrap();
-    let area = DMatrix::from_fn(N - 1, N - 1, |i, j| edge(i).dot(&edge(j))).determinant().sqrt();
-    let sign = if mesh.star(N - 1, face).next().unwrap().cell == cell { 1.0 } else { -1.0 };
+    let edge = |i: usize| {
+        mesh.corner(cell, corners[i + 1]).unwrap() - mesh.corner(cell, corners[0]).unwrap()
+    };
+    let area = DMatrix::from_fn(N - 1, N - 1, |i, j| edge(i).dot(&edge(j)))
+        .determinant()
+        .sqrt();
+    let sign = if mesh.star(N - 1, face).next().unwrap().cell == cell {
+        1.0
+    } else {
+        -1.0
+    };
     let mu = multi_indices(N, space.degree() - 1);
     let first = cell * pairs.len() * moments.len();
     for q in 0..rule.len() {
@@ -156,8 +187,12 @@ fn around<const N: usize>(
             for (k, moment) in moments.iter().enumerate() {
                 let row = first + a * moments.len() + k;
                 let tau = weight * nn * Polynomials::<N>::value(moment, lambda);
-                for (alpha, dof) in multi_indices(N + 1, space.degree()).iter().zip(space.cell_dofs(cell)) {
-                    system.pairing[(row, dof)] -= tau * normal.dot(&polynomials.gradient(alpha, lambda));
+                for (alpha, dof) in multi_indices(N + 1, space.degree())
+                    .iter()
+                    .zip(space.cell_dofs(cell))
+                {
+                    system.pairing[(row, dof)] -=
+                        tau * normal.dot(&polynomials.gradient(alpha, lambda));
                 }
                 if let Some(f) = faces.iter().position(|&f| f == face) {
                     for (b, beta) in mu.iter().enumerate() {
@@ -171,10 +206,20 @@ fn around<const N: usize>(
 }
 
 /// The coefficients of u in the Lagrange space, and the norms.
-pub fn solve<const N: usize>(mesh: &Mesh<N>, degree: usize, load: &[f64]) -> (Vec<f64>, HMinus2Norm) {
+pub fn solve<const N: usize>(
+    mesh: &Mesh<N>,
+    degree: usize,
+    load: &[f64],
+) -> (Vec<f64>, HMinus2Norm) {
     let space = Lagrange::new(mesh, degree);
-    let System { mass, pairing, jumps } = assemble(mesh, &space);
-    let free: Vec<usize> = (0..space.len()).filter(|&i| space.vanishes_on_boundary(i)).collect();
+    let System {
+        mass,
+        pairing,
+        jumps,
+    } = assemble(mesh, &space);
+    let free: Vec<usize> = (0..space.len())
+        .filter(|&i| space.vanishes_on_boundary(i))
+        .collect();
     let (m, n, j) = (mass.nrows(), free.len(), jumps.ncols());
     // M σ − B u + C μ = 0, −Bᵀ σ = −f, Cᵀ σ = 0.
     let mut matrix = DMatrix::zeros(m + n + j, m + n + j);
@@ -183,19 +228,31 @@ pub fn solve<const N: usize>(mesh: &Mesh<N>, degree: usize, load: &[f64]) -> (Ve
     matrix.view_mut((0, m), (m, n)).copy_from(&b);
     matrix.view_mut((m, 0), (n, m)).copy_from(&b.transpose());
     matrix.view_mut((0, m + n), (m, j)).copy_from(&jumps);
-    matrix.view_mut((m + n, 0), (j, m)).copy_from(&jumps.transpose());
+    matrix
+        .view_mut((m + n, 0), (j, m))
+        .copy_from(&jumps.transpose());
     let mut rhs = DVector::zeros(m + n + j);
     for (i, &dof) in free.iter().enumerate() {
         rhs[m + i] = -load[dof];
     }
-    let x = matrix.full_piv_lu().solve(&rhs).expect("the mixed method is stable");
+    let x = matrix
+        .full_piv_lu()
+        .solve(&rhs)
+        .expect("the mixed method is stable");
     let sigma = x.rows(0, m);
     let mut u = vec![0.0; space.len()];
     for (i, &dof) in free.iter().enumerate() {
         u[dof] = x[m + i];
     }
     let [u_l2, u_h1] = norms_of(&space, &u);
-    (u, HMinus2Norm { u_l2, u_h1, sigma_l2: sigma.dot(&(&mass * sigma)).sqrt() })
+    (
+        u,
+        HMinus2Norm {
+            u_l2,
+            u_h1,
+            sigma_l2: sigma.dot(&(&mass * sigma)).sqrt(),
+        },
+    )
 }
 
 /// ‖u‖ and ‖∇u‖.
@@ -208,7 +265,10 @@ fn norms_of<const N: usize>(space: &Lagrange<N>, u: &[f64]) -> [f64; 2] {
         for q in 0..rule.len() {
             let lambda = rule.points().lambda(q);
             let (mut value, mut gradient) = (0.0, Vector::<f64, N>::zeros());
-            for (alpha, dof) in multi_indices(N + 1, space.degree()).iter().zip(space.cell_dofs(cell)) {
+            for (alpha, dof) in multi_indices(N + 1, space.degree())
+                .iter()
+                .zip(space.cell_dofs(cell))
+            {
                 value += u[dof] * Polynomials::<N>::value(alpha, lambda);
                 gradient += polynomials.gradient(alpha, lambda) * u[dof];
             }

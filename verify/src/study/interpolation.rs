@@ -3,7 +3,7 @@
 use super::Named;
 use super::printed_rules::printed_rule;
 use regge::Error;
-use regge::regge::{Interpolant, Projection, ReggeFunction, ReggeSpace};
+use regge::regge::{Interpolant, Projection, ReggeFunction, ReggeSpace, geodesic_interpolant};
 use regge::smooth::{Smooth, SmoothTensor};
 
 /// How g_h is made from g.
@@ -76,7 +76,7 @@ impl Interpolation {
             Self::AverageHierarchical => {
                 Interpolant::AverageHierarchical(projection.projection::<N>(degree)?)
             }
-            Self::Geodesic => return Err(Error::Input("the geodesic interpolant is not there yet".into())),
+            Self::Geodesic => return geodesic_interpolant(space, g.formula()),
         };
         interpolant.apply(space, g)
     }

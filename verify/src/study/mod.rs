@@ -16,7 +16,7 @@ pub use interpolation::{Interpolation, ProjectionKind};
 pub use named::Named;
 pub use quantity::Quantity;
 pub use report::Report;
-pub use row::{Row, observed_order};
+pub use row::{ROUNDING, Row, observed_order};
 pub use printed_rules::printed_rule;
 pub use rules::{LoadQuadrature, Orders, Quadrature, QuadratureReport, StudyRules, converged_order};
 pub use run::{Event, Failure, Phase, mesh, mesh_seed};
@@ -93,9 +93,11 @@ impl Study {
         Err(Error::Input(reason))
     }
 
-    /// How many cells the mesh of a level has: N! 2^{Nk}.
-    pub fn cells(&self, level: u32) -> u64 {
-        let factorial = if self.dimension == 2 { 2 } else { 6 };
-        factorial << (self.dimension as u32 * level)
+    /// How much a case is to do, roughly and in no unit: cells times the entries of a cell's matrix.
+    pub fn work(&self, case: Case) -> u64 {
+        let (factorial, shape) = if self.dimension == 2 { (2, 2) } else { (6, 4) };
+        let cells = factorial << (self.dimension as u32 * case.level);
+        let local = (case.degree as u64 + 2) * (case.degree as u64 + 3) * shape;
+        cells * local * local
     }
 }

@@ -32,7 +32,7 @@ pub struct Row {
 }
 
 /// Below this a norm is rounding, for the metrics here are of size one: it has no order.
-const ROUNDING: f64 = 1e-14;
+pub const ROUNDING: f64 = 1e-14;
 
 /// log(e'/e)/log(h'/h) between (h', e') and (h, e), if these have an order.
 pub fn observed_order(before: (f64, f64), now: (f64, f64)) -> Option<f64> {
