@@ -1,7 +1,7 @@
 //! What `reproduce` and `converge` share: a study, computed, shown and written.
 
 use super::progress::Progress;
-use super::stop::Stop;
+use super::stop::{Out, Stop};
 use super::{notes, output, picture, table};
 use regge_verify::study::{Event, Report, Row, Study};
 use std::io::{self, Write};
@@ -25,7 +25,7 @@ impl Job {
         self.study.check().map_err(|error| Stop::Usage(error.to_string()))?;
         self.files().try_for_each(|path| output::check(path))?;
         let rows = self.compute()?;
-        let out = &mut io::stdout();
+        let out = &mut Out::new();
         for note in notes::of(&self.study, &rows) {
             writeln!(out, "\n{note}")?;
         }
@@ -43,7 +43,7 @@ impl Job {
     /// Shows each row as soon as it is there.
     fn compute(&self) -> Result<Vec<Row>, Stop> {
         let study = &self.study;
-        let mut out = io::stdout();
+        let mut out = Out::new();
         writeln!(out, "{}\n", self.title)?;
         table::head(&mut out)?;
         let progress = Progress::new(study);
@@ -54,16 +54,12 @@ impl Job {
             if let Event::Row(row) = event {
                 let gap = degree.replace(row.degree).is_some_and(|before| before != row.degree);
                 let shown = progress.aside(|| show(&mut out, study, row, gap));
-                // The study goes on without a reader: it may still have files to write.
                 unwritten = unwritten.take().or(shown.err());
             }
         });
         drop(progress);
         let rows = rows.map_err(|failure| Stop::Failed(failure.to_string()))?;
-        match unwritten {
-            Some(error) if self.files().next().is_none() => Err(error.into()),
-            _ => Ok(rows),
-        }
+        unwritten.map_or(Ok(rows), |error: io::Error| Err(error.into()))
     }
 
     fn write(&self, rows: Vec<Row>) -> Result<(), Stop> {

@@ -9,8 +9,6 @@ pub enum Stop {
     Usage(String),
     /// A computation or a file failed.
     Failed(String),
-    /// Nobody reads the output any more.
-    Unread,
 }
 
 impl Stop {
@@ -19,7 +17,6 @@ impl Stop {
         match self {
             Self::Usage(_) => 2,
             Self::Failed(_) => 1,
-            Self::Unread => 0,
         }
     }
 
@@ -28,7 +25,6 @@ impl Stop {
         match self {
             Self::Usage(reason) => writeln!(to, "regge: {reason} (see --help)"),
             Self::Failed(reason) => writeln!(to, "regge: {reason}"),
-            Self::Unread => Ok(()),
         }
     }
 }
@@ -36,9 +32,33 @@ impl Stop {
 impl From<io::Error> for Stop {
     /// Of writing to standard output.
     fn from(error: io::Error) -> Self {
-        match error.kind() {
-            ErrorKind::BrokenPipe => Self::Unread,
-            _ => Self::Failed(format!("standard output: {error}")),
-        }
+        Self::Failed(format!("standard output: {error}"))
+    }
+}
+
+/// Standard output, or nowhere once nobody reads it: there may still be files to write.
+pub struct Out(io::Stdout);
+
+impl Out {
+    /// Standard output.
+    pub fn new() -> Self {
+        Self(io::stdout())
+    }
+}
+
+fn read_or_not<T>(result: io::Result<T>, unread: T) -> io::Result<T> {
+    match result {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(unread),
+        result => result,
+    }
+}
+
+impl Write for Out {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        read_or_not(self.0.write(bytes), bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        read_or_not(self.0.flush(), ())
     }
 }
