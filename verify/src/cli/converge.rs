@@ -65,7 +65,7 @@ pub struct Args {
     #[arg(long, default_value = "exact", value_parser = named::<ProjectionKind>())]
     projection: ProjectionKind,
     /// Where the random meshes come from: each level has its own seed, made from this one
-    #[arg(long, default_value_t = DEFAULT_SEED)]
+    #[arg(long, default_value_t = DEFAULT_SEED, allow_negative_numbers = true)]
     seed: u64,
     #[command(flatten)]
     orders: Orders,
@@ -82,10 +82,11 @@ impl Args {
     pub fn run(self) -> Result<(), Stop> {
         let study = self.study();
         let title = format!(
-            "{} of {} in H⁻², N = {}, seed {}",
+            "{} of {} in H⁻², N = {}, {} quadrature, seed {}",
             study.quantity.name_of(),
             study.metric.name_of(),
             study.dimension,
+            study.quadrature.words(),
             study.seed
         );
         let job = Job {

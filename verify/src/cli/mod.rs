@@ -12,7 +12,7 @@ mod table;
 mod values;
 
 use clap::error::ErrorKind;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use stop::Stop;
 
@@ -52,9 +52,19 @@ pub fn main() -> ExitCode {
                 let _ = error.print();
                 ExitCode::SUCCESS
             }
+            ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => finish(Err(no_command())),
             _ => finish(Err(Stop::Usage(values::one_line(&error.to_string())))),
         },
     }
+}
+
+fn no_command() -> Stop {
+    let cli = Cli::command();
+    let names: Vec<&str> = cli
+        .get_subcommands()
+        .map(|command| command.get_name())
+        .collect();
+    Stop::Usage(format!("a command is needed: {}", names.join(", ")))
 }
 
 fn run(command: Command) -> Result<(), Stop> {

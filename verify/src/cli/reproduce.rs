@@ -52,7 +52,7 @@ pub struct Args {
     #[arg(long, value_parser = named::<ProjectionKind>(), conflicts_with = "as_printed")]
     projection: Option<ProjectionKind>,
     /// Where the random meshes come from: each level has its own seed, made from this one
-    #[arg(long, default_value_t = DEFAULT_SEED)]
+    #[arg(long, default_value_t = DEFAULT_SEED, allow_negative_numbers = true)]
     seed: u64,
     /// Integrate as the paper's program did: projection of exactness 2r, functional 2(r+2), norm 5
     #[arg(long, conflicts_with = "quadrature")]
@@ -134,10 +134,7 @@ impl Target {
 
     fn default_interpolants(self) -> Vec<Interpolation> {
         match self {
-            Self::Figure2 => vec![
-                Interpolation::AverageHierarchical,
-                Interpolation::Canonical,
-            ],
+            Self::Figure2 => vec![Interpolation::AverageHierarchical, Interpolation::Canonical],
             Self::Table1 | Self::Table2 => vec![Interpolation::AverageHierarchical],
         }
     }
@@ -156,7 +153,12 @@ impl Args {
             None => default_file(self.target, extension),
         };
         let job = Job {
-            title: format!("{}, seed {}", self.target.title(), self.seed),
+            title: format!(
+                "{}, {} quadrature, seed {}",
+                self.target.title(),
+                study.quadrature.words(),
+                self.seed
+            ),
             json: Some(file(&self.json, "json")?),
             plot: Some(file(&self.plot, "svg")?),
             study,
