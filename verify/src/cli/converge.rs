@@ -24,7 +24,7 @@ Quantities, all measured in H^-2, with g(t) = (1-t) g + t g_h and sigma = g_h - 
 
 Examples:
   regge converge --metric trig --dimension 2 --degree 1
-  regge converge --metric conformal-sphere --dimension 3 --degree 0,1 --interpolant canonical,average --levels 1..=3
+  regge converge --metric conformal-sphere --degree 0,1 --interpolant canonical,average --levels 1..=4
   regge converge --metric hyperbolic --quantity critical-term --dimension 3 --json h.json --plot h.svg";
 
 /// A convergence study of a built-in metric on ever finer meshes.

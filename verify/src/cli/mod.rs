@@ -19,7 +19,7 @@ use stop::Stop;
 const EXAMPLES: &str = "\
 Examples:
   regge reproduce table1                  the paper's Table 1, N = 2, beside the printed numbers
-  regge reproduce table1 --as-printed     the same by the low-order quadrature of the paper's program
+  regge reproduce table1 --as-printed     the same by the low-order quadrature of the paper
   regge reproduce table2 --levels 0..=2   Table 2, N = 3, on three meshes
   regge reproduce figure2                 the critical term, averaged and canonical interpolant
   regge converge --metric trig --dimension 3 --degree 1 --levels 0..=3 --plot trig.svg

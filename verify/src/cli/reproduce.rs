@@ -14,13 +14,14 @@ use std::path::{Path, PathBuf};
 const FOLDER: &str = "results";
 
 const DETAILS: &str = "\
-What is computed: g is the metric of the graph of sum(x^2/2 - x^4/12) on (-1, 1)^N, on a cube with 2^k cells a side
-cut into simplices, inner vertices moved at random as in the paper; g_h is its Regge interpolant of degree r; 'error'
-is the H^-2 norm of (R omega)_dist(g_h) - (R omega)(g), for figure2 that of the paper's critical term. 'ratio' is our
-error over the printed one.
+What is computed: g is the metric of the graph of sum(x^2/2 - x^4/12) on (-1, 1)^N, on a cube with
+2^k cells a side cut into simplices, inner vertices moved at random as in the paper; g_h is its
+Regge interpolant of degree r; 'error' is the H^-2 norm of (R omega)_dist(g_h) - (R omega)(g), for
+figure2 that of the paper's critical term. 'ratio' is our error over the printed one.
 
-By default the quadrature is converged, which that of the paper was not: the columns r = 1, 2 then differ from the
-printed ones by a factor that the program explains. With --as-printed they agree up to the random meshes.
+By default the quadrature is converged, which that of the paper was not: the columns r = 1, 2 then
+differ from the printed ones by a factor that the program explains. With --as-printed they agree up
+to the random meshes.
 
 Examples:
   regge reproduce table1
