@@ -1,1 +1,4 @@
-
+//! x
+pub mod plot;
+pub mod printed;
+pub mod study;
