@@ -84,3 +84,8 @@ pub mod simplex;
 pub mod smooth;
 
 pub use error::Error;
+
+/// The example of the README, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
