@@ -154,12 +154,7 @@ impl Figure {
 
 impl Curve {
     fn draw<'a, 'b: 'a>(&self, chart: &mut Plane<'a, 'b>) -> Result<()> {
-        let color = COLORS[self.color % COLORS.len()];
-        let color = if self.dashed {
-            color.mix(0.7)
-        } else {
-            color.mix(1.0)
-        };
+        let color = COLORS[self.color % COLORS.len()].mix(if self.dashed { 0.7 } else { 1.0 });
         let line = color.stroke_width(2);
         let points = self.points.clone();
         let series = match self.dashed {
@@ -173,13 +168,10 @@ impl Curve {
             let dot = Circle::new((x + 12, y), 3, color.filled());
             EmptyElement::at((0, 0)) + half(0, 12 - gap) + half(12 + gap, 24) + dot
         });
-        chart.draw_series(
-            self.points
-                .iter()
-                .map(|&p| Circle::new(p, 3, color.filled())),
-        )?;
-        let hollow = color.stroke_width(1);
-        chart.draw_series(self.marks.iter().map(|&p| Circle::new(p, 7, hollow)))?;
+        let dot = |&p: &_| Circle::new(p, 3, color.filled());
+        chart.draw_series(self.points.iter().map(dot))?;
+        let hollow = |&p: &_| Circle::new(p, 7, color.stroke_width(1));
+        chart.draw_series(self.marks.iter().map(hollow))?;
         Ok(())
     }
 }

@@ -38,7 +38,7 @@ fn quadrature(study: &Study) -> Option<String> {
 fn as_printed(dimension: usize) -> String {
     let which = match dimension {
         2 => "its order 8 (r = 2) is known to 0.1 % at k = 0 only",
-        _ => "at k = 0 the printed r = 1, 2 are known not to be reproducible, whatever the rules",
+        _ => "the printed r = 1, 2 at k = 0 are known not to be reproducible by them",
     };
     format!(
         "As printed: local projection by a rule of exactness 2r, functional by rules of order 2(r+2), norm of order \

@@ -59,46 +59,40 @@ impl Quantity {
                 add(&mut load, -1.0, &smooth);
                 load
             }
-            Self::BTerm => along_segment(g, g_h, space, |g, sigma| {
-                b_h(g, sigma, space, rules).total()
-            }),
-            Self::ATerm => along_segment(g, g_h, space, |g, sigma| {
-                a_h(g, sigma, space, rules).total()
-            }),
-            Self::CriticalTerm => {
-                let rules = &Rules {
-                    hinge: rules.hinge.clone(),
-                    ..cheapest::<N>()
-                };
-                let term = |sums: Sums<f64>| sums.hinge.into_iter().map(|x| -x).collect();
-                along_segment(g, g_h, space, |g, sigma| term(a_h(g, sigma, space, rules)))
+            Self::BTerm => {
+                let b = |g: &_, sigma: &_| b_h(g, sigma, space, rules).total();
+                along_segment(g, g_h, space, b)
             }
-            Self::EinsteinTerm => {
-                let rules = &Rules {
-                    element: rules.element.clone(),
-                    ..cheapest::<N>()
-                };
-                along_segment(g, g_h, space, |g, sigma| {
-                    a_h(g, sigma, space, rules).element
-                })
-            }
-            Self::SecondFormTerm => {
-                let rules = &Rules {
-                    face: rules.face.clone(),
-                    ..cheapest::<N>()
-                };
-                along_segment(g, g_h, space, |g, sigma| a_h(g, sigma, space, rules).face)
+            _ => {
+                let rules = self.rules_of_a(rules);
+                let a = |g: &_, sigma: &_| self.part_of_a(a_h(g, sigma, space, &rules));
+                along_segment(g, g_h, space, a)
             }
         }
     }
-}
 
-/// One point a simplex, for the sums that are not looked at.
-fn cheapest<const N: usize>() -> Rules {
-    Rules {
-        element: Rule::new(N, 0),
-        face: Rule::new(N - 1, 0),
-        hinge: Rule::new(N - 2, 0),
+    /// The rules of the sums that are looked at; one point a simplex for the others.
+    fn rules_of_a(self, rules: &Rules) -> Rules {
+        let [element, face, hinge] = [&rules.element, &rules.face, &rules.hinge];
+        let chosen = |used: bool, rule: &Rule| match used {
+            true => rule.clone(),
+            false => Rule::new(rule.points().vertices() - 1, 0),
+        };
+        Rules {
+            element: chosen(matches!(self, Self::ATerm | Self::EinsteinTerm), element),
+            face: chosen(matches!(self, Self::ATerm | Self::SecondFormTerm), face),
+            hinge: chosen(matches!(self, Self::ATerm | Self::CriticalTerm), hinge),
+        }
+    }
+
+    /// What is looked at; the critical term enters a_h with a minus sign.
+    fn part_of_a(self, sums: Sums<f64>) -> Vec<f64> {
+        match self {
+            Self::EinsteinTerm => sums.element,
+            Self::SecondFormTerm => sums.face,
+            Self::CriticalTerm => sums.hinge.into_iter().map(|x| -x).collect(),
+            _ => sums.total(),
+        }
     }
 }
 
