@@ -1,0 +1,19 @@
+//! The catalogue holds, by a quicker draw than that of the command.
+
+use regge_verify::report::Verdict;
+use regge_verify::{Options, run};
+
+#[test]
+fn every_claim_holds_and_every_forgery_is_caught() {
+    let options = Options {
+        quick: true,
+        ..Options::default()
+    };
+    let report = run(&options, &|_| ()).unwrap_or_else(|e| panic!("{e}"));
+    let failed: Vec<_> = report
+        .claims
+        .iter()
+        .filter(|c| c.verdict == Verdict::Fail)
+        .collect();
+    assert!(failed.is_empty(), "{failed:#?}");
+}
