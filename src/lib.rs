@@ -10,6 +10,8 @@ pub mod lagrange;
 pub mod linalg;
 pub mod mesh;
 pub mod metrics;
+#[cfg(feature = "norms")]
+pub mod norm;
 mod parallel;
 pub mod quadrature;
 pub mod regge;

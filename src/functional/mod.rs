@@ -68,12 +68,18 @@ pub struct Sums<T> {
 impl<T: Real> Sums<T> {
     /// All zero.
     fn zero(len: usize) -> Self {
-        Self { element: vec![T::zero(); len], face: vec![T::zero(); len], hinge: vec![T::zero(); len] }
+        Self {
+            element: vec![T::zero(); len],
+            face: vec![T::zero(); len],
+            hinge: vec![T::zero(); len],
+        }
     }
 
     /// The whole functional, by test function.
     pub fn total(&self) -> Vec<T> {
-        (0..self.element.len()).map(|i| self.element[i] + self.face[i] + self.hinge[i]).collect()
+        (0..self.element.len())
+            .map(|i| self.element[i] + self.face[i] + self.hinge[i])
+            .collect()
     }
 
     /// The three sums for v = Σ c_i v_i. With all c_i = 1, v = 1.
