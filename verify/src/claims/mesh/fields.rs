@@ -55,7 +55,7 @@ pub fn metric<'s, const N: usize>(
     space: &'s ReggeSpace<'s, N>,
     draw: &mut Draw,
 ) -> Regge<'s, f64, N> {
-    near_flat(space, draw, if N == 4 { 0.01 } else { 0.05 })
+    near_flat(space, draw, [0.03, 0.015, 0.005][N - 2])
 }
 
 /// A random σ, as large as a metric.

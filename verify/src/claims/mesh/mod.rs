@@ -5,6 +5,9 @@
 
 pub mod fields;
 pub mod setting;
+mod defects;
+mod density;
+mod parts;
 mod variation;
 
 use super::Catalogue;
@@ -27,5 +30,11 @@ fn add<C: OnMesh, K: Formulas, const N: usize>(all: &mut Catalogue) {
 
 /// Adds those of dimension N.
 pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
+    add::<defects::M01, K, N>(all);
+    add::<defects::M02, K, N>(all);
+    add::<defects::M03, K, N>(all);
+    add::<parts::M04, K, N>(all);
     add::<variation::M05, K, N>(all);
+    add::<parts::T03, K, N>(all);
+    add::<parts::T04, K, N>(all);
 }

@@ -37,9 +37,9 @@ pub fn everywhere(dimension: usize, quick: bool) -> Vec<Setting> {
 /// from flat ones. For r = 0 the integrands are polynomials of degree ≤ 2.
 pub fn orders(dimension: usize) -> [usize; 3] {
     match dimension {
-        2 => [2, 22, 24],
-        3 => [2, 18, 20],
-        _ => [2, 12, 14],
+        2 => [2, 26, 30],
+        3 => [2, 20, 22],
+        _ => [2, 16, 18],
     }
 }
 
