@@ -95,12 +95,12 @@ pub struct FaceTerms {
     pub h_nn: f64,
     /// 𝕊σ(n,n).
     pub s_nn: f64,
+    /// σ(n,n).
+    pub nn: f64,
     /// Tr(σ|_F).
     pub trace: f64,
     /// ω_F itself.
     pub omega: f64,
-    /// H ω_F.
-    pub h: f64,
 }
 
 impl FaceTerms {
@@ -125,9 +125,9 @@ impl FaceTerms {
             div_f: divergence_terms(&around, &nu, sigma) * omega,
             h_nn: face.h * form(&value, n, n) * omega,
             s_nn: form(&s_value, n, n) * omega,
+            nn: form(&value, n, n) * omega,
             trace: face.normal.trace(&value) * omega,
             omega,
-            h: face.h * omega,
         }
     }
 

@@ -5,9 +5,18 @@
 
 pub mod fields;
 pub mod setting;
+mod bianchi;
+mod closed;
+mod constant;
 mod defects;
 mod density;
+mod einstein;
+mod euclid;
+mod gauge;
+mod homotopy;
 mod parts;
+mod simplex;
+mod traces;
 mod variation;
 
 use super::Catalogue;
@@ -30,11 +39,29 @@ fn add<C: OnMesh, K: Formulas, const N: usize>(all: &mut Catalogue) {
 
 /// Adds those of dimension N.
 pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
+    add::<gauge::D10, K, N>(all);
+    add::<traces::D13, K, N>(all);
+    add::<traces::D14, K, N>(all);
     add::<defects::M01, K, N>(all);
     add::<defects::M02, K, N>(all);
     add::<defects::M03, K, N>(all);
     add::<parts::M04, K, N>(all);
     add::<variation::M05, K, N>(all);
+    add::<homotopy::Between, K, N>(all);
+    add::<homotopy::M06, K, N>(all);
+    add::<einstein::M07, K, N>(all);
+    add::<closed::M08, K, N>(all);
+    add::<closed::M09, K, N>(all);
+    add::<einstein::M10, K, N>(all);
+    add::<einstein::M11, K, N>(all);
+    add::<constant::M12, K, N>(all);
+    add::<constant::M13, K, N>(all);
+    add::<constant::M14, K, N>(all);
+    add::<closed::M15, K, N>(all);
+    add::<gauge::M16, K, N>(all);
+    add::<simplex::M17, K, N>(all);
+    add::<bianchi::M18, K, N>(all);
+    add::<simplex::T01, K, N>(all);
     add::<parts::T03, K, N>(all);
     add::<parts::T04, K, N>(all);
 }

@@ -38,7 +38,7 @@ pub fn everywhere(dimension: usize, quick: bool) -> Vec<Setting> {
 pub fn orders(dimension: usize) -> [usize; 3] {
     match dimension {
         2 => [2, 26, 30],
-        3 => [2, 20, 22],
+        3 => [2, 22, 24],
         _ => [2, 16, 18],
     }
 }
