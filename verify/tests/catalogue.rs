@@ -10,10 +10,11 @@ fn every_claim_holds_and_every_forgery_is_caught() {
         ..Options::default()
     };
     let report = run(&options, &|_| ()).unwrap_or_else(|e| panic!("{e}"));
-    let failed: Vec<_> = report
+    let failed: Vec<String> = report
         .claims
         .iter()
         .filter(|c| c.verdict == Verdict::Fail)
+        .map(regge_verify::report::describe_failure)
         .collect();
-    assert!(failed.is_empty(), "{failed:#?}");
+    assert!(failed.is_empty(), "\n{}", failed.join("\n"));
 }

@@ -11,6 +11,19 @@ use regge::formulas::Formulas;
 use regge::scalar::Field;
 use std::marker::PhantomData;
 
+/// The scalars that a pointwise claim runs over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// Floating point numbers with derivatives, and the prime field.
+    Both,
+    /// The same; in floating point numbers it is an oracle, a formula with a source outside this project.
+    Oracle,
+    /// Integers only: over the prime field.
+    Integers,
+    /// Inequalities (see [`Equation::at_most`]): not over a field without order.
+    Ordered,
+}
+
 /// One statement that holds at every point, for any jets of the metric.
 ///
 /// The body is written once. Over `Dual64` it differentiates in time through the library's own code; over
@@ -25,8 +38,8 @@ pub trait Pointwise: Send + Sync + 'static {
     const TOLERANCE: f64 = 1e-11;
     /// How many roots the body takes, of volumes, normals and frames.
     const ROOTS: u32 = 3;
-    /// Is there an inequality in it (see [`Equation::at_most`])? It is then not run over a field without order.
-    const BOUND: bool = false;
+    /// By which scalars.
+    const OVER: Over = Over::Both;
 
     /// The equations at one instance.
     fn equations<K: Formulas, S: Timed, const N: usize>(
@@ -40,12 +53,11 @@ pub trait Pointwise: Send + Sync + 'static {
                 degree: degree_bound(dimension, Self::ROOTS),
             };
         }
-        if Self::BOUND {
-            Judgement::Bound
-        } else {
-            Judgement::Rounding {
+        match Self::OVER {
+            Over::Ordered => Judgement::Bound,
+            _ => Judgement::Rounding {
                 tolerance: Self::TOLERANCE,
-            }
+            },
         }
     }
 }
@@ -129,7 +141,10 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
     }
 
     fn method(&self) -> Method {
-        S::Base::METHOD
+        match (S::Base::METHOD, C::OVER) {
+            (Method::Ad, Over::Oracle) => Method::Oracle,
+            (method, _) => method,
+        }
     }
 
     fn run(&self, budget: &Budget) -> Entry {
@@ -145,7 +160,7 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
                 number,
                 ..Case::default()
             };
-            let (label, method) = (C::RECORD.label, S::Base::METHOD.name());
+            let (label, method) = (C::RECORD.label, self.method().name());
             let key = Key {
                 seed: budget.seed,
                 label,
@@ -166,6 +181,6 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
                 break;
             }
         }
-        tally.finish(&C::RECORD, N, S::Base::NAME, S::Base::METHOD)
+        tally.finish(&C::RECORD, N, S::Base::NAME, self.method())
     }
 }
