@@ -59,15 +59,25 @@ impl fmt::Display for Error {
             Self::Input(reason) => write!(f, "{reason}"),
             Self::Cell { cell, reason } => write!(f, "cell {cell}: {reason}"),
             Self::Vertex { vertex, reason } => write!(f, "vertex {vertex}: {reason}"),
-            Self::NotAManifold { simplex, cell, reason } => {
-                write!(f, "not a manifold at the simplex {simplex:?} of cell {cell}: {reason}")
+            Self::NotAManifold {
+                simplex,
+                cell,
+                reason,
+            } => {
+                write!(
+                    f,
+                    "not a manifold at the simplex {simplex:?} of cell {cell}: {reason}"
+                )
             }
             Self::Indefinite { cell, point, pivot } => write!(
                 f,
                 "the metric is not positive definite in cell {cell} at barycentric point {point:?} \
                  (pivot {pivot:e}): refine the mesh or check the metric"
             ),
-            Self::Edge { vertices: [a, b], reason } => write!(f, "edge {a}-{b}: {reason}"),
+            Self::Edge {
+                vertices: [a, b],
+                reason,
+            } => write!(f, "edge {a}-{b}: {reason}"),
             Self::NoCoordinates(what) => {
                 write!(f, "the mesh has no vertex coordinates, which {what} needs")
             }

@@ -80,7 +80,11 @@ pub struct Combination<A, B, T> {
 impl<A, B, T: Real> Combination<A, B, T> {
     /// α a + β b.
     pub fn new(alpha: T, a: A, beta: T, b: B) -> Self {
-        Self { a, b, factors: (alpha, beta) }
+        Self {
+            a,
+            b,
+            factors: (alpha, beta),
+        }
     }
 
     /// (1−t) a + t b, the segment g̃(t) of the paper.
@@ -104,12 +108,16 @@ impl<T: Real, const N: usize, A: TensorField<T, N>, B: TensorField<T, N>> Tensor
     fn jet2(&self, local: &Self::Local, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
         let a = self.a.jet2(&local.0, &table.0, block);
         let b = self.b.jet2(&local.1, &table.1, block);
-        a.zip_map(&b, |a, b| a.map(|x| self.factors.0 * x) + b.map(|x| self.factors.1 * x))
+        a.zip_map(&b, |a, b| {
+            a.map(|x| self.factors.0 * x) + b.map(|x| self.factors.1 * x)
+        })
     }
     fn jet1(&self, local: &Self::Local, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
         let a = self.a.jet1(&local.0, &table.0, block);
         let b = self.b.jet1(&local.1, &table.1, block);
-        a.zip_map(&b, |a, b| a.map(|x| self.factors.0 * x) + b.map(|x| self.factors.1 * x))
+        a.zip_map(&b, |a, b| {
+            a.map(|x| self.factors.0 * x) + b.map(|x| self.factors.1 * x)
+        })
     }
     fn value(&self, local: &Self::Local, table: &Self::Table, block: usize) -> Mat<T, N> {
         let a = self.a.value(&local.0, &table.0, block);

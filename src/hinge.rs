@@ -25,7 +25,12 @@ impl<F: Field, const N: usize> Hinge<F, N> {
         let raised = nu.map(|nu| apply(inverse, nu));
         let squares = [contract(nu[0], &raised[0]), contract(nu[1], &raised[1])];
         let product = contract(nu[0], &raised[1]);
-        Self { raised, squares, product, gram: squares[0] * squares[1] - product * product }
+        Self {
+            raised,
+            squares,
+            product,
+            gram: squares[0] * squares[1] - product * product,
+        }
     }
 
     /// Tr(σ|_S) = Tr σ − [g^bb σ(ν_a,ν_a) − 2 g^ab σ(ν_a,ν_b) + g^aa σ(ν_b,ν_b)]/gram, the ν raised.

@@ -28,7 +28,11 @@ impl<F: Algebraic, const N: usize> Normal<F, N> {
         let length = contract(nu, &raised).sqrt();
         let scale = F::one() / length;
         let n = raised.map(|x| x * scale);
-        Self { n, length, tangential: symmetric(|i, j| inverse[(i, j)] - n[i] * n[j]) }
+        Self {
+            n,
+            length,
+            tangential: symmetric(|i, j| inverse[(i, j)] - n[i] * n[j]),
+        }
     }
 }
 
@@ -62,7 +66,10 @@ pub fn second_form<J: Jet<N>, const N: usize>(
 }
 
 /// H = Tr II; (N−1)/ρ on the sphere of radius ρ.
-pub fn mean_curvature<F: Field, const N: usize>(normal: &Normal<F, N>, second_form: &Mat<F, N>) -> F {
+pub fn mean_curvature<F: Field, const N: usize>(
+    normal: &Normal<F, N>,
+    second_form: &Mat<F, N>,
+) -> F {
     normal.trace(second_form)
 }
 
@@ -85,7 +92,10 @@ pub fn surface_div<J: Jet<N>, const N: usize>(
 }
 
 /// ω_F relative to the coordinate measure of {λ_f = 0}, for ν = ∓dλ_f: √(ν·g⁻¹ν det g).
-pub fn omega_f<F: Algebraic, const N: usize>(connection: &Connection<F, N>, nu: &Vector<F, N>) -> F {
+pub fn omega_f<F: Algebraic, const N: usize>(
+    connection: &Connection<F, N>,
+    nu: &Vector<F, N>,
+) -> F {
     let raised = apply(&connection.inverse, nu);
     (contract(nu, &raised) * connection.det).sqrt()
 }
@@ -98,4 +108,3 @@ pub fn outward<F: Field, const N: usize>(opposite: usize) -> Vector<F, N> {
         _ => F::zero(),
     })
 }
-

@@ -54,11 +54,17 @@ impl<T: Field, const N: usize> Jet<N> for Jet2<T, N> {
     type Lower = Jet1<T, N>;
     #[inline]
     fn d(&self, m: usize) -> Jet1<T, N> {
-        Jet1 { value: self.d[m], d: self.dd[m] }
+        Jet1 {
+            value: self.d[m],
+            d: self.dd[m],
+        }
     }
     #[inline]
     fn lower(&self) -> Jet1<T, N> {
-        Jet1 { value: self.value, d: self.d }
+        Jet1 {
+            value: self.value,
+            d: self.d,
+        }
     }
 }
 
@@ -78,7 +84,10 @@ impl<T: Field, const N: usize> Jet1<T, N> {
     /// A constant: all derivatives vanish.
     #[inline]
     pub fn constant(value: T) -> Self {
-        Self { value, d: [T::zero(); N] }
+        Self {
+            value,
+            d: [T::zero(); N],
+        }
     }
 
     /// The m-th coordinate function where it takes this value.
@@ -92,7 +101,10 @@ impl<T: Field, const N: usize> Jet1<T, N> {
     /// f(self), from (f, f′, f″) at the value; the last is not needed here.
     #[inline]
     fn chain(self, (f, f1, _): (T, T, T)) -> Self {
-        Self { value: f, d: self.d.map(|d| f1 * d) }
+        Self {
+            value: f,
+            d: self.d.map(|d| f1 * d),
+        }
     }
 }
 
@@ -100,7 +112,11 @@ impl<T: Field, const N: usize> Jet2<T, N> {
     /// A constant: all derivatives vanish.
     #[inline]
     pub fn constant(value: T) -> Self {
-        Self { value, d: [T::zero(); N], dd: [[T::zero(); N]; N] }
+        Self {
+            value,
+            d: [T::zero(); N],
+            dd: [[T::zero(); N]; N],
+        }
     }
 
     /// The m-th coordinate function where it takes this value.
@@ -158,7 +174,10 @@ impl<T: Field, const N: usize> Neg for Jet1<T, N> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self { value: -self.value, d: self.d.map(|d| -d) }
+        Self {
+            value: -self.value,
+            d: self.d.map(|d| -d),
+        }
     }
 }
 
@@ -357,7 +376,10 @@ impl<T: Field, const N: usize> Jet1<T, N> {
     /// `f` of the value and of every derivative.
     #[inline]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Jet1<U, N> {
-        Jet1 { value: f(self.value), d: self.d.map(&f) }
+        Jet1 {
+            value: f(self.value),
+            d: self.d.map(&f),
+        }
     }
 }
 
@@ -365,6 +387,10 @@ impl<T: Field, const N: usize> Jet2<T, N> {
     /// `f` of the value and of every derivative.
     #[inline]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Jet2<U, N> {
-        Jet2 { value: f(self.value), d: self.d.map(&f), dd: self.dd.map(|row| row.map(&f)) }
+        Jet2 {
+            value: f(self.value),
+            d: self.d.map(&f),
+            dd: self.dd.map(|row| row.map(&f)),
+        }
     }
 }

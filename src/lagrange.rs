@@ -23,7 +23,12 @@ impl<'m, const N: usize> Lagrange<'m, N> {
         let numbering = Numbering::new(mesh, (0..=N).map(|k| binomial(degree - 1, k)).collect());
         let all: Vec<usize> = (0..=N).collect();
         let slots = slots_on(&all, N, degree);
-        Self { mesh, degree, numbering, slots }
+        Self {
+            mesh,
+            degree,
+            numbering,
+            slots,
+        }
     }
 
     /// The mesh.
@@ -53,7 +58,9 @@ impl<'m, const N: usize> Lagrange<'m, N> {
 
     /// The global indices of the basis functions on a cell.
     pub fn cell_dofs(&self, cell: usize) -> impl Iterator<Item = usize> + '_ {
-        self.slots.iter().map(move |&slot| self.numbering.of_cell(self.mesh, cell, slot))
+        self.slots
+            .iter()
+            .map(move |&slot| self.numbering.of_cell(self.mesh, cell, slot))
     }
 
     /// Where the basis functions on the subsimplex with these local vertices of a cell are numbered.
@@ -63,7 +70,9 @@ impl<'m, const N: usize> Lagrange<'m, N> {
 
     /// The global indices of slots in a cell.
     pub fn dofs<'a>(&'a self, cell: usize, slots: &'a [Slot]) -> impl Iterator<Item = usize> + 'a {
-        slots.iter().map(move |&slot| self.numbering.of_cell(self.mesh, cell, slot))
+        slots
+            .iter()
+            .map(move |&slot| self.numbering.of_cell(self.mesh, cell, slot))
     }
 
     /// The simplex (its dimension and number) that carries a basis function.
@@ -86,10 +95,15 @@ fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Slot> {
         .exponents()
         .iter()
         .map(|alpha| {
-            let support: Vec<usize> =
-                (0..vertices.len()).filter(|&i| alpha[i] > 0).map(|i| vertices[i]).collect();
+            let support: Vec<usize> = (0..vertices.len())
+                .filter(|&i| alpha[i] > 0)
+                .map(|i| vertices[i])
+                .collect();
             let k = support.len() - 1;
-            let place = places[k].iter().position(|p| *p == support).unwrap_or_default();
+            let place = places[k]
+                .iter()
+                .position(|p| *p == support)
+                .unwrap_or_default();
             // Exponents with one support come in one order, whatever the simplex around it.
             let index = seen[k][place];
             seen[k][place] += 1;

@@ -14,7 +14,7 @@ pub enum Metric {
     GraphQuartic,
     /// 4/(1+|x|²)² δ: the unit sphere, R = N(N−1).
     Sphere,
-    /// 4/(4−|x|²/…)²-like ball model, scaled to cover the cube: R = −N(N−1)/ρ² with ρ² = 4N, domain |x|² < ρ².
+    /// 4/(1−|x|²/ρ²)² δ with ρ² = 4N: hyperbolic space as the ball |x| < ρ, R = −N(N−1)/ρ².
     Hyperbolic,
     /// g_ii = 1 + 0.15 sin(1.5 x_i + 0.6 i), g_ij = 0.09 sin(x_i + x_j/2 + 0.3(i+j)) for i < j, indices from 0.
     Trig,
@@ -69,6 +69,11 @@ fn graph_curvature<const N: usize>(x: &[f64; N]) -> f64 {
 }
 
 impl<const N: usize> SmoothTensor<N> for Metric {
+    fn contains(&self, x: &[f64; N]) -> bool {
+        let square: f64 = x.iter().map(|x| x * x).sum();
+        *self != Self::Hyperbolic || square < hyperbolic_square::<N>()
+    }
+
     fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
         let c = S::from_f64;
         let delta = |i: usize, j: usize| if i == j { S::one() } else { S::zero() };
@@ -85,8 +90,8 @@ impl<const N: usize> SmoothTensor<N> for Metric {
                 let f = x.map(|x| x - x * x * x * S::ratio(1, 3));
                 symmetric(|i, j| delta(i, j) + f[i] * f[j])
             }
-            Self::Sphere => conformal(x, S::one() + square()),
-            Self::Hyperbolic => conformal(x, S::one() - square() * c(1.0 / hyperbolic_square::<N>())),
+            Self::Sphere => conformal(S::one() + square()),
+            Self::Hyperbolic => conformal(S::one() - square() * c(1.0 / hyperbolic_square::<N>())),
             Self::Trig => symmetric(|i, j| {
                 let (a, b) = (i as f64, j as f64);
                 if i == j {
@@ -100,7 +105,7 @@ impl<const N: usize> SmoothTensor<N> for Metric {
 }
 
 /// 4/w² δ.
-fn conformal<S: Real, const N: usize>(_x: &[S; N], w: S) -> Mat<S, N> {
+fn conformal<S: Real, const N: usize>(w: S) -> Mat<S, N> {
     let factor = S::from_int(4) / (w * w);
     symmetric(|i, j| if i == j { factor } else { S::zero() })
 }

@@ -22,7 +22,11 @@ pub(crate) fn in_order<R: Send>(
 #[cfg(feature = "parallel")]
 fn map<R: Send>(start: usize, end: usize, compute: &(impl Fn(usize) -> R + Sync)) -> Vec<R> {
     use rayon::prelude::*;
-    (start..end).into_par_iter().with_min_len(16).map(compute).collect()
+    (start..end)
+        .into_par_iter()
+        .with_min_len(16)
+        .map(compute)
+        .collect()
 }
 
 #[cfg(not(feature = "parallel"))]

@@ -68,7 +68,12 @@ impl<F: Field, const N: usize> Connection<F, N> {
                 sum
             })
         });
-        Self { g: value, inverse, det, gamma }
+        Self {
+            g: value,
+            inverse,
+            det,
+            gamma,
+        }
     }
 
     /// Tr σ.
@@ -211,4 +216,3 @@ impl<T: Field, const N: usize> Connection<Jet1<T, N>, N> {
         self.lower().div_covector(&differential(f))
     }
 }
-

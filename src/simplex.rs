@@ -42,7 +42,11 @@ pub fn multi_indices(variables: usize, degree: usize) -> Vec<Vec<usize>> {
 
 /// n over k.
 pub fn binomial(n: usize, k: usize) -> usize {
-    if k > n { 0 } else { (0..k).fold(1, |b, i| b * (n - i) / (i + 1)) }
+    if k > n {
+        0
+    } else {
+        (0..k).fold(1, |b, i| b * (n - i) / (i + 1))
+    }
 }
 
 /// n!.
@@ -95,7 +99,10 @@ impl Points {
                 lambda[q * n + v] = self.lambda(q)[i];
             }
         }
-        Self { vertices: n, lambda }
+        Self {
+            vertices: n,
+            lambda,
+        }
     }
 
     /// How many blocks of `T::LANES` points hold them all.

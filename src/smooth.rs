@@ -12,6 +12,11 @@ use crate::simplex::Points;
 pub trait SmoothTensor<const N: usize>: Sync {
     /// g_ab at x, in the coordinates of ℝ^N.
     fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N>;
+
+    /// Is the formula meant at this point?
+    fn contains(&self, _x: &[f64; N]) -> bool {
+        true
+    }
 }
 
 /// A formula on a mesh.
@@ -90,7 +95,9 @@ impl<T: Real, M: SmoothTensor<N>, const N: usize> TensorField<T, N> for Smooth<'
     type Local = AffineMap<N>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        (0..points.blocks::<T>()).map(|b| std::array::from_fn(|m| points.block(b, m + 1))).collect()
+        (0..points.blocks::<T>())
+            .map(|b| std::array::from_fn(|m| points.block(b, m + 1)))
+            .collect()
     }
 
     fn on_cell(&self, cell: usize) -> AffineMap<N> {

@@ -1,10 +1,18 @@
-//! Every case of tests/oracle (computed by an unrelated code, see its README): the three sums of def:distcurv.
+//! Every case of tests/oracle (computed by an unrelated code, see its README): the three sums of def:distcurv, and
+//! the H⁻² norm of the error.
+#![cfg(feature = "norms")]
 
 mod common;
 
 use common::oracle::{Oracle, load_all};
-use regge::functional::{Rules, distributional_curvature};
+use regge::field::Combination;
+use regge::functional::{Rules, a_h, b_h, distributional_curvature, smooth_curvature};
 use regge::lagrange::Lagrange;
+use regge::metrics::Metric;
+use regge::norm::HMinus2;
+use regge::quadrature::{Rule, gauss_legendre};
+use regge::scalar::{Field, Lanes, Real};
+use regge::smooth::Smooth;
 
 /// NGSolve differentiates by differences, which its README puts at 1e-9 to 1e-7 of an entry; a third code agrees to
 /// 1e-9 of the largest entry.
@@ -40,6 +48,85 @@ fn three_sums_agree_with_every_oracle() {
         match oracle.dimension {
             2 => compare::<2>(&oracle),
             3 => compare::<3>(&oracle),
+            n => panic!("no oracle of dimension {n}"),
+        }
+    }
+}
+
+/// The H⁻² error of (Rω)_dist(g_h) − (Rω)(g) with the oracle's own g_h, to the 1e-6 that its README asks for.
+///
+/// The loads are converged in both codes. The three L² norms are not in the oracle's N = 3 cases: it integrates them by
+/// a rule of order 5, while σ² has degree 2r + 2. With exact norms its r = 2 case is 0.0408482293, 2.4 % larger; with
+/// a rule of order 5 (another one than NGSolve's) it is found again to 1.1e-7.
+fn norm<const N: usize>(oracle: &Oracle) {
+    let Some(known) = &oracle.hm2 else { return };
+    let mesh = oracle.mesh::<N>();
+    let space = oracle.space(&mesh);
+    let g_h = oracle.metric(&space);
+    let named = Metric::ALL
+        .iter()
+        .find(|m| m.0 == oracle.metric)
+        .expect("a known metric")
+        .1;
+    let g = Smooth::new(&mesh, named).expect("coordinates");
+    let hm2 = HMinus2::new(&mesh, known.hhj_degree).expect("a norm");
+    let rules = Rules::new::<N>(20);
+    let mut load = distributional_curvature::<Lanes, _, _>(&g_h, hm2.space(), &rules).total();
+    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.element);
+    for (l, s) in load.iter_mut().zip(smooth) {
+        *l -= s;
+    }
+    let rule = (N == 3).then(|| Rule::new(3, 5));
+    let error = hm2.norm(&load, rule.as_ref()).expect("a solution").total();
+    let off = (error - known.error).abs() / known.error;
+    assert!(
+        off < 1e-6,
+        "{}: {error} against {}",
+        oracle.name,
+        known.error
+    );
+}
+
+/// eq. integralformula: ⟨(Rω)_dist(g_h) − (Rω)(g), v⟩ = ∫₀¹ (b_h − a_h)((1−t)g + t g_h; g_h − g, v) dt. At order 24
+/// the quadrature error is below 2e-12 of sums of size 0.1 (1e-9 at order 16, 4e-11 at order 20).
+#[test]
+fn the_integral_formula_holds_on_an_oracle() {
+    let oracle = load_all()
+        .into_iter()
+        .find(|o| o.name == "n3-structured-k1-r2")
+        .expect("the case");
+    let mesh = oracle.mesh::<3>();
+    let space = oracle.space(&mesh);
+    let g_h = oracle.metric(&space);
+    let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
+    let test = Lagrange::new(&mesh, 4);
+    let rules = Rules::new::<3>(24);
+    let mut difference = distributional_curvature::<Lanes, _, _>(&g_h, &test, &rules).total();
+    let smooth = smooth_curvature::<Lanes, _, _>(&g, &test, &rules.element);
+    let sigma = Combination::new(-Lanes::one(), &g, Lanes::one(), &g_h);
+    let (nodes, weights) = gauss_legendre(6);
+    for (t, w) in nodes.into_iter().zip(weights) {
+        let segment = Combination::segment(&g, &g_h, Lanes::from_f64(t));
+        let b = b_h::<Lanes, _, _, _>(&segment, &sigma, &test, &rules).total();
+        let a = a_h::<Lanes, _, _, _>(&segment, &sigma, &test, &rules).total();
+        for (i, d) in difference.iter_mut().enumerate() {
+            *d -= w * (b[i] - a[i]);
+        }
+    }
+    for dof in (0..test.len()).filter(|&d| test.vanishes_on_boundary(d)) {
+        assert!(
+            (difference[dof] - smooth[dof]).abs() < 5e-12,
+            "test function {dof}"
+        );
+    }
+}
+
+#[test]
+fn norms_agree_with_every_oracle() {
+    for oracle in load_all() {
+        match oracle.dimension {
+            2 => norm::<2>(&oracle),
+            3 => norm::<3>(&oracle),
             n => panic!("no oracle of dimension {n}"),
         }
     }

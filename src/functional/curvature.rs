@@ -99,12 +99,17 @@ fn hinge_sum<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>>(
 ) -> Vec<T::Sum> {
     let sites = Sites::<T>::new(N - 2, rule, space);
     let around = Around::<T, N, G>::new(g, &sites);
-    sum_over(space, &sites, space.mesh().interior_hinges(), |hinge, acc| {
-        let defects = around.angle_defect::<K>(space, hinge);
-        for (block, (defect, omega_s)) in defects.into_iter().enumerate() {
-            sites.accumulate(block, defect * omega_s * K::hinge_factor(), acc);
-        }
-    })
+    sum_over(
+        space,
+        &sites,
+        space.mesh().interior_hinges(),
+        |hinge, acc| {
+            let defects = around.angle_defect::<K>(space, hinge);
+            for (block, (defect, omega_s)) in defects.into_iter().enumerate() {
+                sites.accumulate(block, defect * omega_s * K::hinge_factor(), acc);
+            }
+        },
+    )
 }
 
 /// What is needed to walk around the hinges of a mesh with a metric.
@@ -124,7 +129,12 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>> Around<'a, T, N, G> {
                 [nu[0], nu[1]]
             })
             .collect();
-        Self { g, blocks: sites.weights.len(), tables: sites.tables(g), outward }
+        Self {
+            g,
+            blocks: sites.weights.len(),
+            tables: sites.tables(g),
+            outward,
+        }
     }
 
     /// (Θ_S, ω_S) at each block of points of a hinge: Θ_S = 2π − Σ_T θ_ST, ω_S from the first cell.
@@ -164,7 +174,11 @@ pub fn angle_defects<const N: usize, G: TensorField<f64, N>>(
     let on_hinge = |index: usize| {
         let defect = middle.angle_defect::<Paper>(space, hinges[index])[0].0;
         let volumes = around.angle_defect::<Paper>(space, hinges[index]);
-        let volume = volumes.iter().zip(&sites.weights).map(|((_, omega), w)| omega * w).sum();
+        let volume = volumes
+            .iter()
+            .zip(&sites.weights)
+            .map(|((_, omega), w)| omega * w)
+            .sum();
         (hinges[index], defect, volume)
     };
     in_order(hinges.len(), on_hinge, |_, row| all.push(row));

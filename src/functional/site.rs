@@ -35,7 +35,10 @@ impl<T: Real> Sites<T> {
     pub fn new<const N: usize>(k: usize, rule: &Rule, space: &Lagrange<'_, N>) -> Self {
         let vertices = subsets(N + 1, k + 1);
         Self {
-            points: vertices.iter().map(|on| rule.points().embed(on, N + 1)).collect(),
+            points: vertices
+                .iter()
+                .map(|on| rule.points().embed(on, N + 1))
+                .collect(),
             slots: vertices.iter().map(|on| space.trace_slots(on)).collect(),
             weights: weights(rule),
             basis: space.basis(k).tabulate(rule.points()),
@@ -45,17 +48,25 @@ impl<T: Real> Sites<T> {
 
     /// A field's tables, by place.
     pub fn tables<const N: usize, G: TensorField<T, N>>(&self, field: &G) -> Vec<G::Table> {
-        self.points.iter().map(|points| field.tabulate(points)).collect()
+        self.points
+            .iter()
+            .map(|points| field.tabulate(points))
+            .collect()
     }
 
     /// The local vertices that do not belong to the simplex: the faces of the cell that contain it.
     pub fn opposite<const N: usize>(&self, place: usize) -> Vec<usize> {
-        (0..=N).filter(|v| !self.vertices[place].contains(v)).collect()
+        (0..=N)
+            .filter(|v| !self.vertices[place].contains(v))
+            .collect()
     }
 
     /// The outward covectors of the faces that contain the simplex.
     pub fn outward<const N: usize>(&self, place: usize) -> Vec<Vector<T, N>> {
-        self.opposite::<N>(place).into_iter().map(crate::hypersurface::outward).collect()
+        self.opposite::<N>(place)
+            .into_iter()
+            .map(crate::hypersurface::outward)
+            .collect()
     }
 
     /// acc[α] += density · w · B_α at a block of points.

@@ -29,7 +29,13 @@ pub fn b_h<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
 }
 
 /// [`b_h`] by the formulas K.
-pub fn b_h_with<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
+pub fn b_h_with<
+    K: Formulas,
+    T: Real,
+    const N: usize,
+    G: TensorField<T, N>,
+    H: TensorField<T, N>,
+>(
     g: &G,
     sigma: &H,
     space: &Lagrange<'_, N>,
@@ -118,7 +124,11 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>
             g,
             sigma,
             tables: on_g.into_iter().zip(on_sigma).collect(),
-            basis: sites.points.iter().map(|p| basis.tabulate_jets(p)).collect(),
+            basis: sites
+                .points
+                .iter()
+                .map(|p| basis.tabulate_jets(p))
+                .collect(),
             weights: sites.weights,
         }
     }
@@ -154,7 +164,13 @@ pub fn a_h<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
 }
 
 /// [`a_h`] by the formulas K.
-pub fn a_h_with<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
+pub fn a_h_with<
+    K: Formulas,
+    T: Real,
+    const N: usize,
+    G: TensorField<T, N>,
+    H: TensorField<T, N>,
+>(
     g: &G,
     sigma: &H,
     space: &Lagrange<'_, N>,
@@ -203,7 +219,13 @@ fn einstein_sum<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T,
 }
 
 /// Σ̊_F ∫ ⟨⟦II‾⟧, σ|_F⟩ v ω_F: from both cells.
-fn second_form_sum<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
+fn second_form_sum<
+    K: Formulas,
+    T: Real,
+    const N: usize,
+    G: TensorField<T, N>,
+    H: TensorField<T, N>,
+>(
     g: &G,
     sigma: &H,
     space: &Lagrange<'_, N>,

@@ -50,7 +50,10 @@ fn freudenthal<const N: usize>() -> Vec<Vec<[usize; N]>> {
 
 /// The index of a grid point when there are `size` points a side, coordinates modulo `size`.
 fn index<const N: usize>(point: [usize; N], size: usize) -> usize {
-    point.iter().rev().fold(0, |index, x| index * size + x % size)
+    point
+        .iter()
+        .rev()
+        .fold(0, |index, x| index * size + x % size)
 }
 
 impl<const N: usize> Mesh<N> {
@@ -65,8 +68,14 @@ impl<const N: usize> Mesh<N> {
         let mut cells = Vec::new();
         for base in grid::<N>(side) {
             for simplex in freudenthal::<N>() {
-                let shift = |c: [usize; N]| -> [usize; N] { std::array::from_fn(|i| base[i] + c[i]) };
-                cells.push(simplex.into_iter().map(|c| index(shift(c), side + 1)).collect());
+                let shift =
+                    |c: [usize; N]| -> [usize; N] { std::array::from_fn(|i| base[i] + c[i]) };
+                cells.push(
+                    simplex
+                        .into_iter()
+                        .map(|c| index(shift(c), side + 1))
+                        .collect(),
+                );
             }
         }
         Self::new(points, &cells)
@@ -78,12 +87,15 @@ impl<const N: usize> Mesh<N> {
     /// If `side` < 3: two cells would have the same vertices, which a simplicial complex does not allow.
     pub fn torus(side: usize) -> Result<Self, Error> {
         if side < 3 {
-            return Err(Error::Input(format!("a simplicial torus needs 3 cubes a side, not {side}")));
+            return Err(Error::Input(format!(
+                "a simplicial torus needs 3 cubes a side, not {side}"
+            )));
         }
         let (mut cells, mut corners) = (Vec::new(), Vec::new());
         for base in grid::<N>(side) {
             for simplex in freudenthal::<N>() {
-                let shift = |c: [usize; N]| -> [usize; N] { std::array::from_fn(|i| base[i] + c[i]) };
+                let shift =
+                    |c: [usize; N]| -> [usize; N] { std::array::from_fn(|i| base[i] + c[i]) };
                 cells.push(simplex.iter().map(|&c| index(shift(c), side)).collect());
                 let place = |c: [usize; N]| {
                     Vector::from_fn(|i, _| -1.0 + 2.0 * shift(c)[i] as f64 / side as f64)
@@ -99,8 +111,9 @@ impl<const N: usize> Mesh<N> {
     /// # Errors
     /// If N < 2.
     pub fn simplex_boundary() -> Result<Self, Error> {
-        let cells: Vec<Vec<usize>> =
-            (0..N + 2).map(|out| (0..N + 2).filter(|&v| v != out).collect()).collect();
+        let cells: Vec<Vec<usize>> = (0..N + 2)
+            .map(|out| (0..N + 2).filter(|&v| v != out).collect())
+            .collect();
         Self::new_abstract(N + 2, &cells)
     }
 
@@ -119,8 +132,9 @@ impl<const N: usize> Mesh<N> {
     pub fn alfeld() -> Result<Self, Error> {
         let mut points = reference_points();
         points.push(Vector::from_element(1.0 / (N + 1) as f64));
-        let cells: Vec<Vec<usize>> =
-            (0..=N).map(|out| (0..N + 2).filter(|&v| v != out).collect()).collect();
+        let cells: Vec<Vec<usize>> = (0..=N)
+            .map(|out| (0..N + 2).filter(|&v| v != out).collect())
+            .collect();
         Self::new(points, &cells)
     }
 }

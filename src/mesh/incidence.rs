@@ -27,7 +27,9 @@ pub(super) struct Stars {
 pub(super) fn layers(n: usize, cells: &[u32], vertices: usize) -> Result<Vec<Layer>, Error> {
     let bits = (usize::BITS - vertices.leading_zeros()).max(1) as usize;
     if bits * n > 128 || cells.len() > u32::MAX as usize {
-        return Err(Error::Input(format!("a mesh of {vertices} vertices in dimension {n} is too large")));
+        return Err(Error::Input(format!(
+            "a mesh of {vertices} vertices in dimension {n} is too large"
+        )));
     }
     Ok((0..n).map(|k| layer(n, k, cells, bits)).collect())
 }
@@ -39,7 +41,9 @@ fn layer(n: usize, k: usize, cells: &[u32], bits: usize) -> Layer {
     let mut keyed: Vec<(u128, u32, u8)> = Vec::with_capacity(count * local.len());
     for (c, cell) in cells.chunks_exact(n + 1).enumerate() {
         for (place, subset) in local.iter().enumerate() {
-            let key = subset.iter().fold(0u128, |key, &v| (key << bits) | u128::from(cell[v]));
+            let key = subset
+                .iter()
+                .fold(0u128, |key, &v| (key << bits) | u128::from(cell[v]));
             keyed.push((key, c as u32, place as u8));
         }
     }
@@ -48,7 +52,10 @@ fn layer(n: usize, k: usize, cells: &[u32], bits: usize) -> Layer {
         vertices: Vec::new(),
         of_cell: vec![0; count * local.len()],
         interior: Vec::new(),
-        stars: Stars { offsets: Vec::new(), entries: Vec::with_capacity(keyed.len()) },
+        stars: Stars {
+            offsets: Vec::new(),
+            entries: Vec::with_capacity(keyed.len()),
+        },
     };
     let mut last = None;
     for (key, c, place) in keyed {
@@ -56,9 +63,12 @@ fn layer(n: usize, k: usize, cells: &[u32], bits: usize) -> Layer {
             last = Some(key);
             layer.stars.offsets.push(layer.stars.entries.len());
             let cell = &cells[c as usize * (n + 1)..];
-            layer.vertices.extend(local[place as usize].iter().map(|&v| cell[v]));
+            layer
+                .vertices
+                .extend(local[place as usize].iter().map(|&v| cell[v]));
         }
-        layer.of_cell[c as usize * local.len() + place as usize] = layer.stars.offsets.len() as u32 - 1;
+        layer.of_cell[c as usize * local.len() + place as usize] =
+            layer.stars.offsets.len() as u32 - 1;
         layer.stars.entries.push((c, place));
     }
     layer.interior = vec![true; layer.stars.offsets.len()];

@@ -70,13 +70,20 @@ impl<const N: usize> Mesh<N> {
     /// As [`Mesh::new`], as far as no coordinates are needed.
     pub fn new_abstract(vertices: usize, cells: &[Vec<usize>]) -> Result<Self, Error> {
         if N < 2 || cells.is_empty() {
-            return Err(Error::Input(format!("a mesh needs N ≥ 2 and a cell; here N = {N}, {} cells", cells.len())));
+            return Err(Error::Input(format!(
+                "a mesh needs N ≥ 2 and a cell; here N = {N}, {} cells",
+                cells.len()
+            )));
         }
         let sorted = sorted_cells::<N>(vertices, cells)?;
         let mut layers = incidence::layers(N, &sorted, vertices)?;
         check_manifold::<N>(&layers)?;
         incidence::mark_boundary(N, &mut layers);
-        Ok(Self { cells: sorted, layers, chart: Chart::Abstract })
+        Ok(Self {
+            cells: sorted,
+            layers,
+            chart: Chart::Abstract,
+        })
     }
 
     /// A manifold with N+1 points for each cell, in the order of the vertices that were given for it.
@@ -92,14 +99,19 @@ impl<const N: usize> Mesh<N> {
         let mut points = Vec::with_capacity(mesh.cells.len());
         for (cell, (vertices, corners)) in cells.iter().zip(corners).enumerate() {
             if corners.len() != N + 1 || corners.iter().flatten().any(|x| !x.is_finite()) {
-                return Err(Error::Cell { cell, reason: format!("needs {} finite corners", N + 1) });
+                return Err(Error::Cell {
+                    cell,
+                    reason: format!("needs {} finite corners", N + 1),
+                });
             }
             let mut order: Vec<usize> = (0..=N).collect();
             order.sort_by_key(|&i| vertices[i]);
             points.extend(order.into_iter().map(|i| corners[i]));
         }
         if points.len() != mesh.cells.len() {
-            return Err(Error::Input("as many lists of corners as cells are needed".into()));
+            return Err(Error::Input(
+                "as many lists of corners as cells are needed".into(),
+            ));
         }
         mesh.chart = Chart::Cells(points);
         mesh.check_orientation()?;
@@ -108,7 +120,11 @@ impl<const N: usize> Mesh<N> {
 
     /// How many k-simplices, k = 0…N.
     pub fn count(&self, k: usize) -> usize {
-        if k == N { self.cells.len() / (N + 1) } else { self.layers[k].interior.len() }
+        if k == N {
+            self.cells.len() / (N + 1)
+        } else {
+            self.layers[k].interior.len()
+        }
     }
 
     /// How many cells.
@@ -118,7 +134,11 @@ impl<const N: usize> Mesh<N> {
 
     /// The ascending vertices of a k-simplex.
     pub fn vertices(&self, k: usize, simplex: usize) -> &[u32] {
-        let list = if k == N { &self.cells } else { &self.layers[k].vertices };
+        let list = if k == N {
+            &self.cells
+        } else {
+            &self.layers[k].vertices
+        };
         &list[simplex * (k + 1)..(simplex + 1) * (k + 1)]
     }
 
@@ -133,17 +153,26 @@ impl<const N: usize> Mesh<N> {
         let stars = &self.layers[k].stars;
         stars.entries[stars.offsets[simplex]..stars.offsets[simplex + 1]]
             .iter()
-            .map(|&(cell, place)| Side { cell: cell as usize, place: place as usize })
+            .map(|&(cell, place)| Side {
+                cell: cell as usize,
+                place: place as usize,
+            })
     }
 
     /// The first cell that contains a k-simplex, k ≤ N.
     pub fn first_side(&self, k: usize, simplex: usize) -> Side {
         if k == N {
-            return Side { cell: simplex, place: 0 };
+            return Side {
+                cell: simplex,
+                place: 0,
+            };
         }
         let stars = &self.layers[k].stars;
         let (cell, place) = stars.entries[stars.offsets[simplex]];
-        Side { cell: cell as usize, place: place as usize }
+        Side {
+            cell: cell as usize,
+            place: place as usize,
+        }
     }
 
     /// Is a k-simplex interior, that is not contained in the boundary? Cells are.
@@ -173,7 +202,15 @@ impl<const N: usize> Mesh<N> {
 
     /// Σ_k (−1)^k |𝒯^k|.
     pub fn euler_characteristic(&self) -> i64 {
-        (0..=N).map(|k| if k % 2 == 0 { self.count(k) as i64 } else { -(self.count(k) as i64) }).sum()
+        (0..=N)
+            .map(|k| {
+                if k.is_multiple_of(2) {
+                    self.count(k) as i64
+                } else {
+                    -(self.count(k) as i64)
+                }
+            })
+            .sum()
     }
 
     /// Has every cell its place in ℝ^N?
@@ -230,7 +267,10 @@ impl<const N: usize> Mesh<N> {
         if let Some(cell) = volumes.iter().position(|v| v.is_nan() || v.abs() < 1e-12) {
             return Err(Error::Cell {
                 cell,
-                reason: format!("degenerate: volume over (longest edge)^{N} is {:e}", volumes[cell]),
+                reason: format!(
+                    "degenerate: volume over (longest edge)^{N} is {:e}",
+                    volumes[cell]
+                ),
             });
         }
         if matches!(self.chart, Chart::Cells(_)) {
@@ -239,7 +279,13 @@ impl<const N: usize> Mesh<N> {
         for face in self.interior_faces() {
             let sides: Vec<Side> = self.star(N - 1, face).collect();
             // The volume's sign as seen from the face: face vertices first, the opposite vertex last.
-            let seen = |s: &Side| if s.place % 2 == 0 { volumes[s.cell] } else { -volumes[s.cell] };
+            let seen = |s: &Side| {
+                if s.place.is_multiple_of(2) {
+                    volumes[s.cell]
+                } else {
+                    -volumes[s.cell]
+                }
+            };
             if seen(&sides[0]) * seen(&sides[1]) > 0.0 {
                 return Err(Error::Cell {
                     cell: sides[1].cell,
@@ -277,13 +323,20 @@ fn sorted_cells<const N: usize>(vertices: usize, cells: &[Vec<usize>]) -> Result
         list.sort_unstable();
         let refuse = |reason: String| Err(Error::Cell { cell, reason });
         if list.len() != N + 1 {
-            return refuse(format!("has {} vertices, a {N}-simplex has {}", list.len(), N + 1));
+            return refuse(format!(
+                "has {} vertices, a {N}-simplex has {}",
+                list.len(),
+                N + 1
+            ));
         }
         if let Some(pair) = list.windows(2).find(|p| p[0] == p[1]) {
             return refuse(format!("vertex {} is repeated", pair[0]));
         }
         if list[N] >= vertices {
-            return refuse(format!("vertex {} does not exist: there are {vertices}", list[N]));
+            return refuse(format!(
+                "vertex {} does not exist: there are {vertices}",
+                list[N]
+            ));
         }
         for v in list {
             used[v] = true;
@@ -291,7 +344,10 @@ fn sorted_cells<const N: usize>(vertices: usize, cells: &[Vec<usize>]) -> Result
         }
     }
     match used.iter().position(|u| !u) {
-        Some(vertex) => Err(Error::Vertex { vertex, reason: "belongs to no cell".into() }),
+        Some(vertex) => Err(Error::Vertex {
+            vertex,
+            reason: "belongs to no cell".into(),
+        }),
         None => Ok(sorted),
     }
 }
@@ -303,7 +359,10 @@ fn check_manifold<const N: usize>(layers: &[Layer]) -> Result<(), Error> {
         let star = &faces.stars.entries[faces.stars.offsets[f]..faces.stars.offsets[f + 1]];
         if star.len() > 2 {
             return Err(Error::NotAManifold {
-                simplex: faces.vertices[f * N..(f + 1) * N].iter().map(|&v| v as usize).collect(),
+                simplex: faces.vertices[f * N..(f + 1) * N]
+                    .iter()
+                    .map(|&v| v as usize)
+                    .collect(),
                 cell: star[2].0 as usize,
                 reason: format!("{} cells share this face", star.len()),
             });

@@ -27,7 +27,10 @@ impl Numbering {
         for (k, per) in per_simplex.iter().enumerate() {
             offsets.push(offsets[k] + per * mesh.count(k));
         }
-        Self { per_simplex, offsets }
+        Self {
+            per_simplex,
+            offsets,
+        }
     }
 
     /// How many in all.
@@ -54,8 +57,11 @@ impl Numbering {
     /// The global index of a cell's degree of freedom.
     #[inline]
     pub fn of_cell<const N: usize>(&self, mesh: &Mesh<N>, cell: usize, slot: Slot) -> usize {
-        let simplex =
-            if slot.k == N { cell } else { mesh.simplices_of(cell, slot.k)[slot.place] as usize };
+        let simplex = if slot.k == N {
+            cell
+        } else {
+            mesh.simplices_of(cell, slot.k)[slot.place] as usize
+        };
         self.global(slot.k, simplex, slot.index)
     }
 

@@ -34,7 +34,9 @@ impl<const N: usize> Mesh<N> {
     /// # Errors
     /// If the vertices have no points in ℝ^N, or a cell is inverted by the move (it is named).
     pub fn perturbed(&self, amplitude: f64, seed: u64) -> Result<Self, Error> {
-        let points = self.points().ok_or(Error::NoCoordinates("a perturbation"))?;
+        let points = self
+            .points()
+            .ok_or(Error::NoCoordinates("a perturbation"))?;
         let mut random = SplitMix64::new(seed);
         let mut moved = points.to_vec();
         for vertex in self.interior(0) {

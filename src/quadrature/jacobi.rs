@@ -11,7 +11,11 @@ pub(super) fn gauss_jacobi(n: usize, alpha: usize) -> (Vec<f64>, Vec<f64>) {
     // Monic recurrence p_{k+1} = (x − d_k) p_k − e_k p_{k−1} for the weight (1−x)^a on [−1, 1].
     let diagonal = |k: f64| {
         let s = 2.0 * k + a;
-        if alpha == 0 { 0.0 } else { -a * a / (s * (s + 2.0)) }
+        if alpha == 0 {
+            0.0
+        } else {
+            -a * a / (s * (s + 2.0))
+        }
     };
     let off_diagonal = |k: f64| {
         let s = 2.0 * k + a;
@@ -24,10 +28,17 @@ pub(super) fn gauss_jacobi(n: usize, alpha: usize) -> (Vec<f64>, Vec<f64>) {
         1 => e[i.min(j)].sqrt(),
         _ => 0.0,
     });
-    let mut nodes: Vec<f64> = SymmetricEigen::new(matrix).eigenvalues.iter().copied().collect();
+    let mut nodes: Vec<f64> = SymmetricEigen::new(matrix)
+        .eigenvalues
+        .iter()
+        .copied()
+        .collect();
     nodes.sort_by(f64::total_cmp);
     let total = 1.0 / (a + 1.0);
-    let weights = nodes.iter_mut().map(|x| total * polish(x, &d, &e)).collect();
+    let weights = nodes
+        .iter_mut()
+        .map(|x| total * polish(x, &d, &e))
+        .collect();
     (nodes.iter().map(|x| 0.5 * (1.0 + x)).collect(), weights)
 }
 

@@ -67,8 +67,16 @@ impl Place {
             }
             position(&cell_alphas, &extended)
         };
-        let alphas = multi_indices(vertices.len(), degree).iter().map(in_cell).collect();
-        Self { edges, alphas, slots: super::slots_on(&vertices, n, degree), vertices }
+        let alphas = multi_indices(vertices.len(), degree)
+            .iter()
+            .map(in_cell)
+            .collect();
+        Self {
+            edges,
+            alphas,
+            slots: super::slots_on(&vertices, n, degree),
+            vertices,
+        }
     }
 }
 
@@ -78,12 +86,14 @@ impl OnSimplex {
         let test = Bernstein::new(k + 1, (degree + 1).checked_sub(k)?);
         let basis = Bernstein::new(k + 1, degree);
         let moments = moments(&test, &basis, Rule::new(k, 2 * degree + 1));
-        let places = subsets(n + 1, k + 1).into_iter().map(|v| Place::new(n, degree, v)).collect();
+        let places = subsets(n + 1, k + 1)
+            .into_iter()
+            .map(|v| Place::new(n, degree, v))
+            .collect();
         let (mut own, mut lower, mut inverse) = (Vec::new(), Vec::new(), Vec::new());
         for edge in subsets(k + 1, 2) {
-            let full = |a: &usize| {
-                (0..=k).all(|v| edge.contains(&v) || basis.exponents()[*a][v] > 0)
-            };
+            let full =
+                |a: &usize| (0..=k).all(|v| edge.contains(&v) || basis.exponents()[*a][v] > 0);
             let (mine, others): (Vec<usize>, Vec<usize>) = (0..basis.len()).partition(full);
             let square = moments.select_columns(&mine);
             // Square and regular: the products of λ^β with the bubble of D∖ab span the columns.
@@ -91,7 +101,14 @@ impl OnSimplex {
             own.push(mine);
             lower.push(others);
         }
-        Some(Self { places, test, own, lower, moments, inverse })
+        Some(Self {
+            places,
+            test,
+            own,
+            lower,
+            moments,
+            inverse,
+        })
     }
 
     /// How many edges D has.
@@ -102,16 +119,26 @@ impl OnSimplex {
 
 /// ∫ test_β basis_α by a rule that is exact for the product.
 fn moments(test: &Bernstein, basis: &Bernstein, rule: Rule) -> DMatrix<f64> {
-    let (t, b) = (test.tabulate::<f64>(rule.points()), basis.tabulate::<f64>(rule.points()));
+    let (t, b) = (
+        test.tabulate::<f64>(rule.points()),
+        basis.tabulate::<f64>(rule.points()),
+    );
     DMatrix::from_fn(test.len(), basis.len(), |beta, alpha| {
-        (0..rule.len()).map(|q| rule.weights()[q] * t[q][beta] * b[q][alpha]).sum()
+        (0..rule.len())
+            .map(|q| rule.weights()[q] * t[q][beta] * b[q][alpha])
+            .sum()
     })
 }
 
 impl<'s, const N: usize> Canonical<'s, N> {
     /// The degrees of freedom of a space.
     pub fn new(space: &'s ReggeSpace<'s, N>) -> Self {
-        Self { space, on: (1..=N).map_while(|k| OnSimplex::new(N, k, space.degree)).collect() }
+        Self {
+            space,
+            on: (1..=N)
+                .map_while(|k| OnSimplex::new(N, k, space.degree))
+                .collect(),
+        }
     }
 
     /// ℓ(g) for every degree of freedom, g seen from the first cell around each simplex, by rules of this order.
@@ -154,7 +181,11 @@ impl<'s, const N: usize> Canonical<'s, N> {
         let size = Bernstein::new(N + 1, self.space.degree).len();
         for (k, on) in (1..).zip(&self.on) {
             for (p, place) in on.places.iter().enumerate() {
-                let simplex = if k == N { cell } else { mesh.simplices_of(cell, k)[p] as usize };
+                let simplex = if k == N {
+                    cell
+                } else {
+                    mesh.simplices_of(cell, k)[p] as usize
+                };
                 for (e, edge) in place.edges.iter().enumerate() {
                     let q = &local[edge * size..(edge + 1) * size];
                     for beta in 0..on.test.len() {
@@ -162,7 +193,12 @@ impl<'s, const N: usize> Canonical<'s, N> {
                         for (a, &alpha) in place.alphas.iter().enumerate() {
                             value += on.moments[(beta, a)] * q[alpha];
                         }
-                        visit(self.space.numbering.global(k, simplex, e * on.test.len() + beta), value);
+                        visit(
+                            self.space
+                                .numbering
+                                .global(k, simplex, e * on.test.len() + beta),
+                            value,
+                        );
                     }
                 }
             }

@@ -37,10 +37,20 @@ fn scaled_legendre(l: usize, s: f64, t: f64) -> f64 {
 fn functions_of(on: &[usize], edge: &[usize], degree: usize, lambda: &[f64]) -> Vec<f64> {
     match on.len() {
         2 => (0..=degree)
-            .map(|l| scaled_legendre(l, lambda[on[0]] - lambda[on[1]], lambda[on[0]] + lambda[on[1]]))
+            .map(|l| {
+                scaled_legendre(
+                    l,
+                    lambda[on[0]] - lambda[on[1]],
+                    lambda[on[0]] + lambda[on[1]],
+                )
+            })
             .collect(),
         3 => {
-            let third: f64 = on.iter().filter(|v| !edge.contains(v)).map(|&v| lambda[v]).product();
+            let third: f64 = on
+                .iter()
+                .filter(|v| !edge.contains(v))
+                .map(|&v| lambda[v])
+                .product();
             let powers = multi_indices(3, degree.saturating_sub(1));
             let monomial = |e: &Vec<usize>| {
                 third * lambda[on[0]].powi(e[0] as i32) * lambda[on[1]].powi(e[1] as i32)
@@ -53,10 +63,17 @@ fn functions_of(on: &[usize], edge: &[usize], degree: usize, lambda: &[f64]) -> 
                 let alpha = &basis.exponents()[*a];
                 (0..lambda.len()).all(|v| {
                     let needed = on.contains(&v) && !edge.contains(&v);
-                    if on.contains(&v) { !needed || alpha[v] > 0 } else { alpha[v] == 0 }
+                    if on.contains(&v) {
+                        !needed || alpha[v] > 0
+                    } else {
+                        alpha[v] == 0
+                    }
                 })
             };
-            (0..basis.len()).filter(charges).map(|a| basis.value(a, lambda)).collect()
+            (0..basis.len())
+                .filter(charges)
+                .map(|a| basis.value(a, lambda))
+                .collect()
         }
     }
 }
@@ -68,7 +85,10 @@ impl EdgeBasis {
         let to_bernstein = projection_matrix(&basis, &rule)?;
         let (mut values, mut stands_for) = (Vec::new(), Vec::new());
         for k in 1..=n.min(degree + 1) {
-            for on in subsets(n + 1, k + 1).iter().filter(|on| edge.iter().all(|v| on.contains(v))) {
+            for on in subsets(n + 1, k + 1)
+                .iter()
+                .filter(|on| edge.iter().all(|v| on.contains(v)))
+            {
                 let at = |q: usize| functions_of(on, edge, degree, rule.points().lambda(q));
                 let table: Vec<Vec<f64>> = (0..rule.len()).map(at).collect();
                 for f in 0..table[0].len() {
@@ -88,7 +108,11 @@ impl EdgeBasis {
             .clone()
             .try_inverse()
             .ok_or_else(|| Error::Solver("the hierarchical basis is singular".into()))?;
-        Ok(Self { functions, inverse, stands_for })
+        Ok(Self {
+            functions,
+            inverse,
+            stands_for,
+        })
     }
 }
 

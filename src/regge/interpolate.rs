@@ -17,7 +17,9 @@ pub struct Projection {
 impl Projection {
     /// By a rule of exactness 2r + 12: the projection of a smooth metric to rounding on meshes that resolve it.
     pub fn exact<const N: usize>(degree: usize) -> Self {
-        Self { rule: Rule::new(N, 2 * degree + 12) }
+        Self {
+            rule: Rule::new(N, 2 * degree + 12),
+        }
     }
 
     /// By a given rule; with as many points as dim P_r it interpolates there.
@@ -40,7 +42,10 @@ impl Projection {
             let local = g.on_cell(cell);
             let mut coefficients = vec![0.0; edges * basis.len()];
             for q in 0..self.rule.len() {
-                for (e, c) in edge_components(&g.value(&local, &table, q)).into_iter().enumerate() {
+                for (e, c) in edge_components(&g.value(&local, &table, q))
+                    .into_iter()
+                    .enumerate()
+                {
                     for a in 0..basis.len() {
                         coefficients[e * basis.len() + a] += matrix[(a, q)] * c;
                     }
@@ -57,10 +62,16 @@ impl Projection {
 pub(super) fn projection_matrix(basis: &Bernstein, rule: &Rule) -> Result<DMatrix<f64>, Error> {
     let table = basis.tabulate::<f64>(rule.points());
     let values = DMatrix::from_fn(basis.len(), rule.len(), |a, q| table[q][a]);
-    let weighted = DMatrix::from_fn(basis.len(), rule.len(), |a, q| table[q][a] * rule.weights()[q]);
+    let weighted = DMatrix::from_fn(basis.len(), rule.len(), |a, q| {
+        table[q][a] * rule.weights()[q]
+    });
     let gram = &values * weighted.transpose();
     gram.lu().solve(&weighted).ok_or_else(|| {
-        Error::Input(format!("{} points cannot determine {} coefficients", rule.len(), basis.len()))
+        Error::Input(format!(
+            "{} points cannot determine {} coefficients",
+            rule.len(),
+            basis.len()
+        ))
     })
 }
 

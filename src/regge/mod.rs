@@ -8,12 +8,12 @@
 //! they are the squared edge lengths.
 
 mod canonical;
-// mod geodesic;
+mod geodesic;
 mod hierarchical;
 mod interpolate;
 
 pub use canonical::Canonical;
-// pub use geodesic::{geodesic_interpolant, geodesic_length};
+pub use geodesic::{geodesic_interpolant, geodesic_length};
 pub use interpolate::{Interpolant, Projection};
 
 use crate::Error;
@@ -41,9 +41,15 @@ pub fn dofs_per_simplex(degree: usize, k: usize) -> usize {
 impl<'m, const N: usize> ReggeSpace<'m, N> {
     /// The space of degree r ≥ 0.
     pub fn new(mesh: &'m Mesh<N>, degree: usize) -> Self {
-        let numbering = Numbering::new(mesh, (0..=N).map(|k| dofs_per_simplex(degree, k)).collect());
+        let numbering =
+            Numbering::new(mesh, (0..=N).map(|k| dofs_per_simplex(degree, k)).collect());
         let all: Vec<usize> = (0..=N).collect();
-        Self { mesh, degree, numbering, slots: slots_on(&all, N, degree) }
+        Self {
+            mesh,
+            degree,
+            numbering,
+            slots: slots_on(&all, N, degree),
+        }
     }
 
     /// The mesh.
@@ -74,14 +80,18 @@ impl<'m, const N: usize> ReggeSpace<'m, N> {
     /// The global index of the coefficient of B_α in q_ab on a cell: edges in the order of [`subsets`], α in that of
     /// [`crate::simplex::multi_indices`].
     pub fn cell_dof(&self, cell: usize, edge: usize, alpha: usize) -> usize {
-        self.numbering.of_cell(self.mesh, cell, self.slots[edge][alpha])
+        self.numbering
+            .of_cell(self.mesh, cell, self.slots[edge][alpha])
     }
 
     /// The function with these coefficients.
     ///
     /// # Errors
     /// If there are too few or too many.
-    pub fn function<C: Copy>(&self, coefficients: Vec<C>) -> Result<ReggeFunction<'_, C, N>, Error> {
+    pub fn function<C: Copy>(
+        &self,
+        coefficients: Vec<C>,
+    ) -> Result<ReggeFunction<'_, C, N>, Error> {
         if coefficients.len() != self.len() {
             return Err(Error::Input(format!(
                 "{} coefficients for a Regge space of dimension {}",
@@ -89,7 +99,10 @@ impl<'m, const N: usize> ReggeSpace<'m, N> {
                 self.len()
             )));
         }
-        Ok(ReggeFunction { space: self, coefficients })
+        Ok(ReggeFunction {
+            space: self,
+            coefficients,
+        })
     }
 }
 
@@ -105,10 +118,15 @@ fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Vec<Slot>> {
                 .iter()
                 .map(|alpha| {
                     let charged = |i: &usize| alpha[*i] > 0 || edge.contains(i);
-                    let support: Vec<usize> =
-                        (0..vertices.len()).filter(charged).map(|i| vertices[i]).collect();
+                    let support: Vec<usize> = (0..vertices.len())
+                        .filter(charged)
+                        .map(|i| vertices[i])
+                        .collect();
                     let k = support.len() - 1;
-                    let place = places[k].iter().position(|p| *p == support).unwrap_or_default();
+                    let place = places[k]
+                        .iter()
+                        .position(|p| *p == support)
+                        .unwrap_or_default();
                     let index = seen[k][place];
                     seen[k][place] += 1;
                     Slot { k, place, index }
@@ -140,7 +158,9 @@ impl<'s, C: Copy, const N: usize> ReggeFunction<'s, C, N> {
     pub fn local(&self, cell: usize) -> Vec<C> {
         let space = self.space;
         let slots = space.slots.iter().flatten();
-        slots.map(|&s| self.coefficients[space.numbering.of_cell(space.mesh, cell, s)]).collect()
+        slots
+            .map(|&s| self.coefficients[space.numbering.of_cell(space.mesh, cell, s)])
+            .collect()
     }
 }
 
@@ -167,13 +187,16 @@ pub fn check_positive<const N: usize, G: TensorField<f64, N>>(
     let mut found = None;
     let on_cell = |cell: usize| {
         let local = field.on_cell(cell);
-        (0..points.len()).find_map(|q| {
-            indefinite_pivot(&field.value(&local, &table, q)).map(|pivot| (q, pivot))
-        })
+        (0..points.len())
+            .find_map(|q| indefinite_pivot(&field.value(&local, &table, q)).map(|pivot| (q, pivot)))
     };
     crate::parallel::in_order(mesh.cells(), on_cell, |cell, bad| {
         if let (None, Some((q, pivot))) = (&found, bad) {
-            found = Some(Error::Indefinite { cell, point: points.lambda(q).to_vec(), pivot });
+            found = Some(Error::Indefinite {
+                cell,
+                point: points.lambda(q).to_vec(),
+                pivot,
+            });
         }
     });
     found.map_or(Ok(()), Err)
@@ -223,7 +246,10 @@ where
 
     fn jet2(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
         let row = &table[block];
-        let q: Vec<Jet2<T, N>> = local.chunks_exact(row.len()).map(|c| combine(c, row)).collect();
+        let q: Vec<Jet2<T, N>> = local
+            .chunks_exact(row.len())
+            .map(|c| combine(c, row))
+            .collect();
         from_edge_components(|edge| q[edge])
     }
 
@@ -248,7 +274,10 @@ where
         let row = &table[block];
         from_edge_components(|edge| {
             let mut sum = T::zero();
-            for (c, b) in local[edge * row.len()..(edge + 1) * row.len()].iter().zip(row) {
+            for (c, b) in local[edge * row.len()..(edge + 1) * row.len()]
+                .iter()
+                .zip(row)
+            {
                 sum += c.lift() * b.value;
             }
             sum

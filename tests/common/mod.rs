@@ -2,3 +2,50 @@
 #![allow(dead_code, reason = "each test file uses a part")]
 
 pub mod oracle;
+
+use regge::mesh::{Mesh, SplitMix64};
+use regge::regge::{ReggeFunction, ReggeSpace};
+use regge::simplex::{multi_indices, subsets};
+
+/// A Regge function near the metric that makes each edge as long as it is in ℝ^N, or 1 on an abstract mesh: every
+/// coefficient times 1 + `noise` · (uniform in [−1, 1)). With `noise` ≥ 1 it is a variation rather than a metric.
+pub fn random_regge<'s, const N: usize>(
+    space: &'s ReggeSpace<'s, N>,
+    noise: f64,
+    seed: u64,
+) -> ReggeFunction<'s, f64, N> {
+    let mesh = space.mesh();
+    let mut random = SplitMix64::new(seed);
+    let factors: Vec<f64> = (0..space.len())
+        .map(|_| 1.0 + noise * random.symmetric())
+        .collect();
+    let mut coefficients = vec![0.0; space.len()];
+    for cell in 0..mesh.cells() {
+        for (e, edge) in subsets(N + 1, 2).iter().enumerate() {
+            let square = match (mesh.corner(cell, edge[0]), mesh.corner(cell, edge[1])) {
+                (Some(a), Some(b)) => (a - b).norm_squared(),
+                _ => 1.0,
+            };
+            for alpha in 0..multi_indices(N + 1, space.degree()).len() {
+                let dof = space.cell_dof(cell, e, alpha);
+                coefficients[dof] = square * factors[dof];
+            }
+        }
+    }
+    space
+        .function(coefficients)
+        .expect("as many coefficients as the space has")
+}
+
+/// The cube with `side` cells a side, its inner vertices moved by up to a tenth of a cell.
+pub fn crooked_cube<const N: usize>(side: usize, seed: u64) -> Mesh<N> {
+    let amplitude = 0.2 / side as f64;
+    Mesh::cube(side)
+        .and_then(|m| m.perturbed(amplitude, seed))
+        .expect("small moves invert nothing")
+}
+
+/// The largest absolute value.
+pub fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m, v| m.max(v.abs()))
+}

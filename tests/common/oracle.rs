@@ -61,12 +61,19 @@ pub fn load_all() -> Vec<Oracle> {
     files.sort();
     assert_eq!(files.len(), 10, "ten cases were copied");
     let read = |p| std::fs::read_to_string(p).expect("a readable case");
-    files.iter().map(|p| serde_json::from_str(&read(p)).expect("a case")).collect()
+    files
+        .iter()
+        .map(|p| serde_json::from_str(&read(p)).expect("a case"))
+        .collect()
 }
 
 impl Oracle {
     pub fn mesh<const N: usize>(&self) -> Mesh<N> {
-        let points = self.vertices.iter().map(|v| SVector::from_column_slice(v)).collect();
+        let points = self
+            .vertices
+            .iter()
+            .map(|v| SVector::from_column_slice(v))
+            .collect();
         Mesh::new(points, &self.simplices).expect("a mesh")
     }
 
@@ -84,7 +91,9 @@ impl Oracle {
         let mut coefficients = vec![f64::NAN; space.len()];
         for (cell, sample) in self.samples.iter().enumerate() {
             let map = mesh.jacobian(cell).expect("coordinates");
-            let inverse = DMatrix::from_fn(N, N, |i, j| map[(i, j)]).try_inverse().expect("regular");
+            let inverse = DMatrix::from_fn(N, N, |i, j| map[(i, j)])
+                .try_inverse()
+                .expect("regular");
             let origin = mesh.corner(cell, 0).expect("coordinates");
             let lambda = |q: usize| {
                 let x = DVector::from_fn(N, |i, _| sample.points[q][i] - origin[i]);
@@ -93,7 +102,8 @@ impl Oracle {
                 lambda.extend(xi.iter());
                 lambda
             };
-            let values = DMatrix::from_fn(basis.len(), basis.len(), |q, a| basis.value(a, &lambda(q)));
+            let values =
+                DMatrix::from_fn(basis.len(), basis.len(), |q, a| basis.value(a, &lambda(q)));
             let lu = values.lu();
             for (e, edge) in subsets(N + 1, 2).iter().enumerate() {
                 let t = mesh.corner(cell, edge[1]).expect("coordinates")

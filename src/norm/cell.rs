@@ -1,0 +1,179 @@
+//! One cell of the hybridised method: how its shape enters.
+//!
+//! With J = ∂x/∂ξ, g = JᵀJ, and S^{ij} the contravariant components of σ, σ = J S Jᵀ:
+//!
+//! - ∫_T σ:τ dx = |det J| ∫ g_ik g_jl S^{ij} T^{kl} dξ, whose inverse raises indices: S^{ij} = g^{ik} g^{jl} Y_kl;
+//! - ∫_T τ:∇²v dx = |det J| ∫ T^{ij} ∂_i∂_j v dξ;
+//! - N_f = g⁻¹ν_f/(ν_f g⁻¹ ν_f) is h_f times the unit normal, h_f the height of the cell over the face, and
+//!   ds = |det J|/h_f dμ, so ∫_f τ_nn (∂_n v − q) ds = |det J| ∫ T(ν_f, ν_f) (∂_{N_f} v − h_f q) dμ.
+//!
+//! The change of unknown ŵ_f = h_f q − ∂_{N_f − m_f} v, tangential in v, makes the last one the reference element's.
+
+use super::element::{Element, conormal, transversal};
+use super::layout::FaceMoment;
+use crate::linalg::{Mat, Vector, apply, contract, inverse_and_det};
+use crate::mesh::Mesh;
+use crate::simplex::subsets;
+use nalgebra::{DMatrix, DVector};
+
+/// The shape of one cell.
+#[derive(Clone, Debug)]
+pub(super) struct Shape<const N: usize> {
+    /// The barycentre.
+    pub centre: Vector<f64, N>,
+    /// ∂x/∂ξ.
+    pub jacobian: Mat<f64, N>,
+    /// |det ∂x/∂ξ|.
+    pub volume: f64,
+    /// g⁻¹.
+    pub inverse: Mat<f64, N>,
+    /// Face by face, in the order of `subsets`.
+    faces: Vec<FaceShape<N>>,
+}
+
+/// How the unknowns u, û of a face make ŵ.
+#[derive(Clone, Copy, Debug)]
+struct FaceShape<const N: usize> {
+    /// ±h_f: û is the derivative along the normal that leaves the first of the face's cells.
+    height: f64,
+    /// Barycentric components of N_f − m_f at the vertices of the face, ascending.
+    tangent: [f64; N],
+}
+
+impl<const N: usize> Shape<N> {
+    /// The shape of a cell that has coordinates.
+    pub fn new(mesh: &Mesh<N>, cell: usize) -> Option<Self> {
+        let jacobian = mesh.jacobian(cell)?;
+        let centre = mesh.corner(cell, 0)? + jacobian.column_sum() / (N + 1) as f64;
+        let (inverse, det) = inverse_and_det(&(jacobian.transpose() * jacobian));
+        let ids = mesh.simplices_of(cell, N - 1);
+        let faces = subsets(N + 1, N)
+            .into_iter()
+            .enumerate()
+            .map(|(place, face)| {
+                let first = mesh
+                    .star(N - 1, ids[place] as usize)
+                    .next()
+                    .is_some_and(|side| side.cell == cell);
+                face_shape(&inverse, N - place, &face, if first { 1.0 } else { -1.0 })
+            });
+        Some(Self {
+            centre,
+            jacobian,
+            volume: det.sqrt(),
+            faces: faces.collect(),
+            inverse,
+        })
+    }
+
+    /// The coefficient of Y_b in s_a when S^{ij} = g^{ik} g^{jl} Y_kl: pairs a = (i, j), b = (k, l).
+    fn raise(&self, (i, j): (usize, usize), (k, l): (usize, usize)) -> f64 {
+        let q = &self.inverse;
+        0.5 * (q[(i, k)] * q[(j, l)] + q[(i, l)] * q[(j, k)])
+    }
+
+    /// The energy of (u, û) after the moments are condensed: uᵀ A u = |σ(u)|² over the cell. Symmetric.
+    pub fn energy(&self, element: &Element<N>) -> DMatrix<f64> {
+        let weight =
+            |a: usize, b: usize| self.volume * self.raise(element.pairs[a], element.pairs[b]);
+        let mut energy = element.condensed(weight);
+        // Â in (u, ŵ) becomes Tᵀ Â T in (u, û): first the columns, then by symmetry the rows.
+        for (moment, shape, p) in self.moments(element) {
+            combine_columns(&mut energy, moment, shape, p);
+        }
+        energy.transpose_mut();
+        for (moment, shape, p) in self.moments(element) {
+            combine_columns(&mut energy, moment, shape, p);
+        }
+        energy
+    }
+
+    /// The coefficients of σ in a cell from those of (u, û): component a along φ_k in `[(k, a)]`.
+    pub fn tensor(&self, element: &Element<N>, local: &[f64]) -> DMatrix<f64> {
+        let mut reference = DVector::from_column_slice(local);
+        for (moment, shape, p) in self.moments(element) {
+            reference[moment.slope] *= shape.height;
+            for (v, &index) in moment.raised.iter().enumerate() {
+                reference[moment.slope] -= p * shape.tangent[v] * local[index];
+            }
+        }
+        let y = &element.pairing * reference;
+        let (count, size) = (element.pairs.len(), element.moments.len());
+        let mut s = DMatrix::zeros(size, count);
+        for a in 0..count {
+            for b in 0..count {
+                let raise = self.raise(element.pairs[a], element.pairs[b]);
+                for k in 0..size {
+                    s[(k, a)] += raise * y[b * size + k];
+                }
+            }
+        }
+        s
+    }
+
+    /// ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}, all of them: the derivative of a Bernstein polynomial of degree p along τ
+    /// is p Σ_v τ_v B_{α−e_v}.
+    fn moments<'a>(
+        &'a self,
+        element: &'a Element<N>,
+    ) -> impl Iterator<Item = (&'a FaceMoment, &'a FaceShape<N>, f64)> {
+        let p = element.degree as f64;
+        let faces = element.layout.faces.iter().zip(&self.faces);
+        faces.flat_map(move |(moments, shape)| moments.iter().map(move |m| (m, shape, p)))
+    }
+}
+
+/// The face opposite to vertex `f`.
+fn face_shape<const N: usize>(
+    inverse: &Mat<f64, N>,
+    f: usize,
+    face: &[usize],
+    sign: f64,
+) -> FaceShape<N> {
+    let nu = conormal::<N>(f).into();
+    let raised = apply(inverse, &nu);
+    let norm = contract(&nu, &raised);
+    let m = transversal::<N>(f);
+    let difference: [f64; N] = std::array::from_fn(|i| raised[i] / norm - m[i]);
+    let tangent = std::array::from_fn(|v| match face[v] {
+        0 => -difference.iter().sum::<f64>(),
+        vertex => difference[vertex - 1],
+    });
+    FaceShape {
+        height: sign / norm.sqrt(),
+        tangent,
+    }
+}
+
+/// Column ŵ_β handed on to the columns of û_β and of the u that it contains.
+fn combine_columns<const N: usize>(
+    a: &mut DMatrix<f64>,
+    moment: &FaceMoment,
+    shape: &FaceShape<N>,
+    p: f64,
+) {
+    for (v, &index) in moment.raised.iter().enumerate() {
+        let factor = -p * shape.tangent[v];
+        let (mut target, source) = a.columns_range_pair_mut(index, moment.slope);
+        target.axpy(factor, &source, 1.0);
+    }
+    a.column_mut(moment.slope).scale_mut(shape.height);
+}
+
+/// A after `bubbles` steps of Cholesky's elimination: their columns hold L, the lower triangle of the rest the Schur
+/// complement. The bubbles' block is positive definite: a bubble is not affine.
+pub(super) fn eliminate(a: &mut DMatrix<f64>, bubbles: usize) {
+    let n = a.nrows();
+    for j in 0..bubbles {
+        let pivot = a[(j, j)].sqrt();
+        for i in j..n {
+            a[(i, j)] /= pivot;
+        }
+        for k in j + 1..n {
+            let l = a[(k, j)];
+            for i in k..n {
+                a[(i, k)] -= l * a[(i, j)];
+            }
+        }
+    }
+}

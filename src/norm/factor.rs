@@ -1,0 +1,76 @@
+//! A sparse Cholesky factorisation by faer, of a matrix that is in its order of elimination already.
+
+use super::sparse::Upper;
+use crate::Error;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::linalg::cholesky::{
+    LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+
+/// U = Lᵀ with A = L Lᵀ.
+#[derive(Debug)]
+pub(super) struct Factor {
+    symbolic: SymbolicCholesky<usize>,
+    values: Vec<f64>,
+}
+
+/// The solver's degree of parallelism: fixed, since the order of its sums depends on it.
+#[cfg(feature = "parallel")]
+fn parallelism() -> Par {
+    Par::rayon(2)
+}
+
+#[cfg(not(feature = "parallel"))]
+fn parallelism() -> Par {
+    Par::Seq
+}
+
+impl Factor {
+    /// The factor of a matrix with at least one row.
+    pub fn new(matrix: &Upper) -> Result<Self, Error> {
+        let n = matrix.columns.len() - 1;
+        let pattern =
+            SymbolicSparseColMatRef::new_checked(n, n, &matrix.columns, None, &matrix.rows);
+        let order = SymmetricOrdering::Identity;
+        let symbolic = factorize_symbolic_cholesky(pattern, Side::Upper, order, Default::default())
+            .map_err(|e| Error::Solver(format!("{n} unknowns: {e}")))?;
+        let mut values = Vec::new();
+        if values.try_reserve_exact(symbolic.len_val()).is_err() {
+            let need = symbolic.len_val() as f64 * 8e-9;
+            return Err(Error::Solver(format!(
+                "{n} unknowns: the factor needs {need:.1} GB of memory"
+            )));
+        }
+        values.resize(symbolic.len_val(), 0.0);
+        let par = parallelism();
+        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(par, Default::default());
+        let mut memory = MemBuffer::try_new(scratch)
+            .map_err(|_| Error::Solver(format!("{n} unknowns: out of memory")))?;
+        symbolic
+            .factorize_numeric_llt(
+                &mut values,
+                SparseColMatRef::new(pattern, &matrix.values),
+                Side::Upper,
+                Default::default(),
+                par,
+                MemStack::new(&mut memory),
+                Default::default(),
+            )
+            .map_err(|e| Error::Solver(format!("{n} unknowns, not positive definite: {e:?}")))?;
+        Ok(Self { symbolic, values })
+    }
+
+    /// x becomes A⁻¹ x.
+    pub fn solve(&self, x: &mut [f64]) {
+        let (n, par) = (x.len(), parallelism());
+        let scratch = self.symbolic.solve_in_place_scratch::<f64>(1, par);
+        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(x, n, 1),
+            par,
+            MemStack::new(&mut MemBuffer::new(scratch)),
+        );
+    }
+}

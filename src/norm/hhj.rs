@@ -1,0 +1,208 @@
+//! The discrete biharmonic problem: its unknowns, cell operators and moment tensors.
+
+use super::cell::Shape;
+use super::element::Element;
+use super::layout::{Layout, slopes};
+use crate::Error;
+use crate::lagrange::Lagrange;
+use crate::linalg::{Mat, Vector};
+use crate::mesh::Mesh;
+use crate::quadrature::Rule;
+use crate::simplex::{Bernstein, Points};
+use nalgebra::DMatrix;
+
+/// The hybridised Hellan–Herrmann–Johnson discretisation of Δ²u = f, u ∈ H²₀, on a mesh in ℝ^N.
+///
+/// Unknowns: u in [`Lagrange`] of degree p, zero on ∂Ω; on each interior face the slope û ∈ P_{p−1}, which is
+/// ∂u/∂n for the normal that leaves the first (lowest) of its two cells, in the face's Bernstein basis. The moments
+/// σ ∈ P_{p−1} are eliminated cell by cell, σ(u, û); û makes their normal-normal components continuous. The problem is
+/// Σ_T |σ(u, û)|²_{L²(T)}/2 − f(u) → min.
+#[derive(Clone, Debug)]
+pub struct Hhj<'m, const N: usize> {
+    space: Lagrange<'m, N>,
+    element: Element<N>,
+    shapes: Vec<Shape<N>>,
+}
+
+/// A discrete solution (u, û) of a [`Hhj`] problem.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deflection {
+    /// The coefficients of u in the Lagrange space, then face by face those of û; zero where clamped.
+    pub coefficients: Vec<f64>,
+}
+
+impl<'m, const N: usize> Hhj<'m, N> {
+    /// The problem with u of degree p and moments of degree p−1.
+    ///
+    /// # Errors
+    /// If p = 0, the mesh has no coordinates, or it has no boundary to be clamped at.
+    pub fn new(mesh: &'m Mesh<N>, degree: usize) -> Result<Self, Error> {
+        if degree == 0 {
+            return Err(Error::Input(
+                "the method of Hellan, Herrmann and Johnson needs degree ≥ 1".into(),
+            ));
+        }
+        if mesh.is_closed() {
+            return Err(Error::Input(
+                "a mesh without boundary cannot be clamped".into(),
+            ));
+        }
+        let shapes: Option<Vec<_>> = (0..mesh.cells())
+            .map(|cell| Shape::new(mesh, cell))
+            .collect();
+        let shapes = shapes.ok_or(Error::NoCoordinates("the biharmonic problem"))?;
+        let space = Lagrange::new(mesh, degree);
+        Ok(Self {
+            element: Element::new(&space),
+            space,
+            shapes,
+        })
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &'m Mesh<N> {
+        self.space.mesh()
+    }
+
+    /// The space of u, in whose basis loads are given.
+    pub fn space(&self) -> &Lagrange<'m, N> {
+        &self.space
+    }
+
+    /// How many coefficients a [`Deflection`] has.
+    pub fn len(&self) -> usize {
+        self.space.len() + self.mesh().count(N - 1) * slopes(N, self.space.degree())
+    }
+
+    /// Never.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Where in a [`Deflection`] the unknowns of a cell are, in the order of [`Hhj::energy`].
+    pub fn cell_unknowns(&self, cell: usize) -> Vec<usize> {
+        let layout = self.layout();
+        let mut unknowns = vec![0; layout.len];
+        for (&local, dof) in layout.bernstein.iter().zip(self.space.cell_dofs(cell)) {
+            unknowns[local] = dof;
+        }
+        let per_face = slopes(N, self.space.degree());
+        for (moments, &face) in layout
+            .faces
+            .iter()
+            .zip(self.mesh().simplices_of(cell, N - 1))
+        {
+            for (beta, moment) in moments.iter().enumerate() {
+                unknowns[moment.slope] = self.space.len() + face as usize * per_face + beta;
+            }
+        }
+        unknowns
+    }
+
+    /// The matrix of |σ(u, û)|²_{L²(T)}, a cell's contribution to the system: symmetric, positive semidefinite, zero
+    /// on affine u with its û.
+    pub fn energy(&self, cell: usize) -> DMatrix<f64> {
+        self.shapes[cell].energy(&self.element)
+    }
+
+    /// σ at points of a cell, Cartesian components; symmetric.
+    pub fn moment(
+        &self,
+        deflection: &Deflection,
+        cell: usize,
+        points: &Points,
+    ) -> Vec<Mat<f64, N>> {
+        let phi = self.element.moments.tabulate(points);
+        let s = self.tensor(deflection, cell);
+        phi.iter()
+            .map(|phi| self.cartesian(cell, &s, phi))
+            .collect()
+    }
+
+    /// |u|², |∇u|² and |σ|² integrated over a cell by a rule that comes with its table.
+    pub(super) fn squares(
+        &self,
+        deflection: &Deflection,
+        cell: usize,
+        table: &Table<N>,
+    ) -> [f64; 3] {
+        let shape = &self.shapes[cell];
+        let s = self.tensor(deflection, cell);
+        let u: Vec<f64> = self
+            .space
+            .cell_dofs(cell)
+            .map(|dof| deflection.coefficients[dof])
+            .collect();
+        let mut squares = [0.0; 3];
+        for (q, weight) in table.weights.iter().enumerate() {
+            let (mut value, mut d) = (0.0, Vector::<f64, N>::zeros());
+            for (c, (b, db)) in u.iter().zip(&table.u[q]) {
+                value += c * b;
+                d += *db * *c;
+            }
+            // |∇u|² = g^{ij} ∂_i u ∂_j u.
+            let slope = d.dot(&(shape.inverse * d));
+            let sigma = self.cartesian(cell, &s, &table.phi[q]).norm_squared();
+            for (sum, square) in squares.iter_mut().zip([value * value, slope, sigma]) {
+                *sum += weight * shape.volume * square;
+            }
+        }
+        squares
+    }
+
+    /// The basis functions at the points of a rule.
+    pub(super) fn table(&self, rule: &Rule) -> Table<N> {
+        let jets =
+            Bernstein::new(N + 1, self.space.degree()).tabulate_jets::<f64, N>(rule.points());
+        Table {
+            weights: rule.weights().to_vec(),
+            u: jets
+                .iter()
+                .map(|row| row.iter().map(|b| (b.value, b.d.into())).collect())
+                .collect(),
+            phi: self.element.moments.tabulate(rule.points()),
+        }
+    }
+
+    /// The numbering in a cell.
+    pub(super) fn layout(&self) -> &Layout {
+        &self.element.layout
+    }
+
+    /// The barycentres of the cells.
+    pub(super) fn centres(&self) -> Vec<Vector<f64, N>> {
+        self.shapes.iter().map(|s| s.centre).collect()
+    }
+
+    /// The coefficients of σ in a cell: reference component a along φ_k in `[(k, a)]`.
+    fn tensor(&self, deflection: &Deflection, cell: usize) -> DMatrix<f64> {
+        let local: Vec<f64> = self
+            .cell_unknowns(cell)
+            .into_iter()
+            .map(|i| deflection.coefficients[i])
+            .collect();
+        self.shapes[cell].tensor(&self.element, &local)
+    }
+
+    /// σ = J S Jᵀ with S = Σ_a (Σ_k `s[(k, a)]` φ_k) E_a.
+    fn cartesian(&self, cell: usize, s: &DMatrix<f64>, phi: &[f64]) -> Mat<f64, N> {
+        let mut tensor = Mat::<f64, N>::zeros();
+        for (a, &(i, j)) in self.element.pairs.iter().enumerate() {
+            let component: f64 = phi.iter().enumerate().map(|(k, phi)| s[(k, a)] * phi).sum();
+            tensor[(i, j)] = component;
+            tensor[(j, i)] = component;
+        }
+        let jacobian = &self.shapes[cell].jacobian;
+        jacobian * tensor * jacobian.transpose()
+    }
+}
+
+/// The bases at the points of a rule.
+#[derive(Clone, Debug)]
+pub(super) struct Table<const N: usize> {
+    weights: Vec<f64>,
+    /// `[point][α]`: B_α and its derivatives in reference coordinates.
+    u: Vec<Vec<(f64, Vector<f64, N>)>>,
+    /// `[point][k]`.
+    phi: Vec<Vec<f64>>,
+}

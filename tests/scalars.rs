@@ -1,0 +1,182 @@
+//! One kernel, many scalars: each scalar gives what another route gives.
+
+use nalgebra::SVector;
+use num_dual::{Dual, Dual2_64, Dual64, HyperDual64};
+use regge::jet::{Jet, Jet1, Jet2};
+use regge::linalg::{Mat, inverse_and_det, symmetric};
+use regge::metrics::Metric;
+use regge::riemann::Connection;
+use regge::scalar::{Lanes, Real};
+use regge::smooth::SmoothTensor;
+
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!(
+        (a - b).abs() <= tolerance * (1.0 + b.abs()),
+        "{a} and {b} differ by {:e}",
+        a - b
+    );
+}
+
+/// dθ = (cos ds − sin dc)/(s² + c²) at every angle, the right and the flat ones included, where num-dual's atan2 and
+/// acos give NaN and ∞.
+#[test]
+fn angles_have_derivatives_everywhere() {
+    for step in -7..=8 {
+        let theta = f64::from(step) * std::f64::consts::FRAC_PI_8;
+        let (s, c) = theta.sin_cos();
+        let (ds, dc) = (0.3, -0.7);
+        let angle: Dual64 = Real::angle(Dual64::new(s, ds), Dual64::new(c, dc));
+        close(angle.re, theta, 1e-15);
+        close(angle.eps, c * ds - s * dc, 1e-14);
+    }
+}
+
+/// The second derivative of the angle of (sin t², cos t²) is 2, whatever t.
+#[test]
+fn angles_have_second_derivatives() {
+    for t in [0.0, 0.4, 1.0, std::f64::consts::FRAC_PI_2.sqrt(), 1.6] {
+        let square = Dual2_64::new(t * t, 2.0 * t, 2.0);
+        let angle: Dual2_64 = Real::angle(Real::sin(square), Real::cos(square));
+        close(angle.v1, 2.0 * t, 1e-13);
+        close(angle.v2, 2.0, 1e-12);
+    }
+}
+
+/// x ↦ a formula that uses every function, as a jet and as nested dual numbers.
+fn formula<S: Real>(x: S) -> S {
+    let wave = x.sin() * x.cos() + (x * x).exp().ln() - x.atan();
+    (wave + S::from_int(5)).sqrt() / (S::one() + x * x) + S::angle(x.sinh(), x.cosh()) + x.tan()
+}
+
+#[test]
+fn jets_and_nested_duals_agree() {
+    for x in [-0.7, 0.1, 0.9] {
+        let jet = formula(Jet2::<f64, 1>::coordinate(x, 0));
+        let low = formula(Jet1::<f64, 1>::coordinate(x, 0));
+        let nested = formula(Dual::new(Dual64::new(x, 1.0), Dual64::new(1.0, 0.0)));
+        let hyper = formula(HyperDual64::new(x, 1.0, 1.0, 0.0));
+        close(jet.value, formula(x), 1e-15);
+        for (d, dd) in [
+            (nested.eps.re, nested.eps.eps),
+            (hyper.eps1, hyper.eps1eps2),
+        ] {
+            close(jet.d[0], d, 1e-13);
+            close(jet.dd[0][0], dd, 1e-12);
+        }
+        close(low.d[0], jet.d[0], 1e-15);
+        close(jet.d(0).d[0], jet.dd[0][0], 0.0);
+    }
+}
+
+#[test]
+fn lanes_are_four_numbers() {
+    let x = [0.1, 0.5, -0.3, 0.9];
+    let lanes = formula(Lanes::new(x)).to_array();
+    for l in 0..4 {
+        close(lanes[l], formula(x[l]), 1e-15);
+    }
+    close(Lanes::new(x).reduce(), 1.2, 1e-15);
+    close(Lanes::pack(|l| x[l]).to_array()[3], 0.9, 0.0);
+}
+
+/// A⁻¹A = 1 and det A by LDLᵀ against nalgebra's LU, and the derivative of det: det · Tr(A⁻¹ dA).
+#[test]
+fn inverse_and_determinant() {
+    let a: Mat<f64, 4> =
+        symmetric(|i, j| 1.0 / (1.0 + (i + j) as f64) + f64::from(u8::from(i == j)));
+    let rate: Mat<f64, 4> = symmetric(|i, j| (i as f64 - 1.3) * (j as f64 + 0.2) + (i * j) as f64);
+    let moving = a.zip_map(&rate, Dual64::new);
+    let (inverse, det) = inverse_and_det(&moving);
+    let known = a.try_inverse().expect("regular");
+    for i in 0..4 {
+        for j in 0..4 {
+            close(inverse[(i, j)].re, known[(i, j)], 1e-12);
+            close(inverse[(i, j)].eps, -(known * rate * known)[(i, j)], 1e-12);
+        }
+    }
+    close(det.re, a.determinant(), 1e-12);
+    close(det.eps, a.determinant() * (known * rate).trace(), 1e-12);
+}
+
+/// R of a metric by formula at a point of ℝ^N.
+fn curvature<S: Real, const N: usize>(metric: Metric, x: [S; N]) -> S {
+    let at: [Jet2<S, N>; N] = std::array::from_fn(|i| Jet2::coordinate(x[i], i));
+    Connection::new(&metric.at(&at)).scalar()
+}
+
+/// Closed forms: N(N−1) on the unit sphere, −N(N−1)/ρ² in hyperbolic space, Gauss' equation for a graph.
+fn closed_forms<const N: usize>() {
+    let x: [f64; N] = std::array::from_fn(|i| 0.3 - 0.2 * i as f64);
+    for metric in [
+        Metric::Flat,
+        Metric::Sphere,
+        Metric::Hyperbolic,
+        Metric::GraphQuartic,
+    ] {
+        let known = metric.scalar_curvature(&x).expect("a closed form");
+        close(curvature(metric, x), known, 1e-13);
+    }
+}
+
+#[test]
+fn curvature_of_known_metrics() {
+    closed_forms::<2>();
+    closed_forms::<3>();
+    closed_forms::<4>();
+    closed_forms::<5>();
+}
+
+/// The paper's own formula, section 5, at a point: 162(1−x²)(1−y²)/(9+q(x)+q(y))², q(x) = x²(x²−3)².
+#[test]
+fn curvature_of_the_papers_graph() {
+    let (x, y): (f64, f64) = (0.4, -0.7);
+    let q = |x: f64| x * x * (x * x - 3.0) * (x * x - 3.0);
+    let printed = 162.0 * (1.0 - x * x) * (1.0 - y * y) / (9.0 + q(x) + q(y)).powi(2);
+    close(
+        Metric::GraphQuartic
+            .scalar_curvature(&[x, y])
+            .expect("a closed form"),
+        printed,
+        1e-14,
+    );
+}
+
+/// The derivative of R along a line by dual numbers, against a central difference (the only use of one).
+#[test]
+fn duals_go_through_the_kernel() {
+    let direction = [0.3, -0.5, 0.2];
+    let at = |t: f64| -> [f64; 3] { std::array::from_fn(|i| 0.1 + t * direction[i]) };
+    let moving: [Dual64; 3] = std::array::from_fn(|i| Dual64::new(0.1, direction[i]));
+    let h = 1e-4;
+    let difference = (curvature(Metric::Trig, at(h)) - curvature(Metric::Trig, at(-h))) / (2.0 * h);
+    close(curvature(Metric::Trig, moving).eps, difference, 1e-7);
+    let lanes = curvature(Metric::Trig, at(0.0).map(Lanes::from_f64)).to_array();
+    close(lanes[2], curvature(Metric::Trig, at(0.0)), 1e-13);
+}
+
+/// div div (g Tr σ) = Δ Tr σ: two ways through the connection.
+#[test]
+fn divergence_and_laplacian() {
+    let x: [Jet2<f64, 3>; 3] = std::array::from_fn(|i| Jet2::coordinate(0.2 + 0.1 * i as f64, i));
+    let g = Metric::Trig.at(&x);
+    let sigma: Mat<Jet2<f64, 3>, 3> = symmetric(|i, j| (x[i] * x[j]).sin() + x[0] * x[1] * x[2]);
+    let (inverse, _) = inverse_and_det(&g);
+    let trace = regge::riemann::trace(&inverse, &sigma);
+    let connection = Connection::new(&g);
+    let spread = symmetric(|i, j| g[(i, j)] * trace);
+    close(
+        connection.div_div(&spread),
+        connection.laplacian(&trace),
+        1e-13,
+    );
+    let hessian = connection.lower().hessian(&trace);
+    close(
+        connection.lower().trace(&hessian),
+        connection.laplacian(&trace),
+        1e-13,
+    );
+    let gradient = connection
+        .lower()
+        .sharp(&SVector::from_fn(|m, _| trace.d(m).value));
+    assert!(gradient.norm() > 0.0);
+}
