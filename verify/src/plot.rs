@@ -66,8 +66,7 @@ const COLORS: [RGBColor; 6] = [
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-type Plane<'a, 'b> =
-    ChartContext<'a, SVGBackend<'b>, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;
+type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;
 
 impl Figure {
     /// The SVG's text.
@@ -105,7 +104,11 @@ impl Figure {
 
     /// What is to be seen, with room for the labels on the right and for the legend below.
     fn ranges(&self) -> (Range<f64>, Range<f64>) {
-        let curves = || self.curves.iter().flat_map(|c| c.points.iter().chain(&c.marks));
+        let curves = || {
+            self.curves
+                .iter()
+                .flat_map(|c| c.points.iter().chain(&c.marks))
+        };
         let ends = self.guides.iter().map(|guide| guide.at_end);
         let x = hull(curves().map(|p| p.0));
         let y = hull(curves().map(|p| p.1).chain(ends));
@@ -152,7 +155,11 @@ impl Figure {
 impl Curve {
     fn draw<'a, 'b: 'a>(&self, chart: &mut Plane<'a, 'b>) -> Result<()> {
         let color = COLORS[self.color % COLORS.len()];
-        let color = if self.dashed { color.mix(0.7) } else { color.mix(1.0) };
+        let color = if self.dashed {
+            color.mix(0.7)
+        } else {
+            color.mix(1.0)
+        };
         let line = color.stroke_width(2);
         let points = self.points.clone();
         let series = match self.dashed {
@@ -164,7 +171,11 @@ impl Curve {
             let path = PathElement::new(vec![(x, y), (x + 24, y)], color.stroke_width(stroke));
             EmptyElement::at((0, 0)) + path + Circle::new((x + 12, y), 3, color.filled())
         });
-        chart.draw_series(self.points.iter().map(|&p| Circle::new(p, 3, color.filled())))?;
+        chart.draw_series(
+            self.points
+                .iter()
+                .map(|&p| Circle::new(p, 3, color.filled())),
+        )?;
         let hollow = color.stroke_width(1);
         chart.draw_series(self.marks.iter().map(|&p| Circle::new(p, 7, hollow)))?;
         Ok(())
@@ -202,5 +213,8 @@ fn power_of_ten(x: &f64) -> String {
         '-' => '⁻',
         digit => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize - '0' as usize],
     };
-    format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
+    format!(
+        "10{}",
+        exponent.to_string().chars().map(raised).collect::<String>()
+    )
 }

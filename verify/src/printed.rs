@@ -29,10 +29,14 @@ pub struct Series {
 }
 
 /// h by level. Source: tab:error_N2.
-pub const MESH_SIZE_2: [f64; 8] = [2.828, 1.534, 8.584e-1, 4.609e-1, 2.417e-1, 1.251e-1, 6.260e-2, 3.198e-2];
+pub const MESH_SIZE_2: [f64; 8] = [
+    2.828, 1.534, 8.584e-1, 4.609e-1, 2.417e-1, 1.251e-1, 6.260e-2, 3.198e-2,
+];
 
 /// h by level. Source: tab:error_N3.
-pub const MESH_SIZE_3: [f64; 7] = [3.464, 1.850, 9.709e-1, 4.999e-1, 2.753e-1, 1.358e-1, 6.878e-2];
+pub const MESH_SIZE_3: [f64; 7] = [
+    3.464, 1.850, 9.709e-1, 4.999e-1, 2.753e-1, 1.358e-1, 6.878e-2,
+];
 
 impl Series {
     /// The printed norm of a level.
@@ -43,7 +47,11 @@ impl Series {
 
     /// The printed order of a level: the tables have orders, made with the printed mesh sizes; the plots have none.
     pub fn order(&self, level: u32) -> Option<f64> {
-        let h: &[f64] = if self.dimension == 2 { &MESH_SIZE_2 } else { &MESH_SIZE_3 };
+        let h: &[f64] = if self.dimension == 2 {
+            &MESH_SIZE_2
+        } else {
+            &MESH_SIZE_3
+        };
         if self.quantity != Quantity::CurvatureError || level == 0 {
             return None;
         }

@@ -1,6 +1,5 @@
 //! The catalogue holds, by a quicker draw than that of the command.
 
-use regge_verify::report::Verdict;
 use regge_verify::{Options, run};
 
 #[test]
@@ -11,10 +10,9 @@ fn every_claim_holds_and_every_forgery_is_caught() {
     };
     let report = run(&options, &|_| ()).unwrap_or_else(|e| panic!("{e}"));
     let failed: Vec<String> = report
-        .claims
+        .failures()
         .iter()
-        .filter(|c| c.verdict == Verdict::Fail)
-        .map(regge_verify::report::describe_failure)
+        .map(|e| e.describe_failure())
         .collect();
     assert!(failed.is_empty(), "\n{}", failed.join("\n"));
 }

@@ -3,7 +3,7 @@
 //! # How to add a claim
 //!
 //! *At a point.* Implement [`Pointwise`] for a unit type, in a file of its own or in that of its family: a
-//! [`Record`](crate::claim::Record), and `equations`, which returns the named terms of both sides at one random
+//! [`Record`], and `equations`, which returns the named terms of both sides at one random
 //! [`Instance`](crate::instance::Instance). Name it in [`pointwise`]. Dropped, flipped and doubled terms are forged
 //! by the harness; add what can go wrong otherwise with `.forge(…)`.
 //!
@@ -31,7 +31,7 @@ mod surface;
 mod traces;
 mod volume;
 
-use crate::claim::{Check, Over, Pointwise, PointwiseCheck};
+use crate::claim::{Check, Over, Pointwise, PointwiseCheck, Record};
 use crate::exact::Fp;
 use num_dual::Dual64;
 use regge::formulas::{Formulas, Paper};
@@ -51,6 +51,13 @@ pub fn catalogue() -> Catalogue {
     // Row by row; the dimensions and methods of one claim stay together.
     all.sort_by_key(|c| c.record().label);
     all
+}
+
+/// What the pages say of each claim, in the order of the catalogue.
+pub fn records() -> Vec<&'static Record> {
+    let mut records: Vec<&'static Record> = catalogue().iter().map(|c| c.record()).collect();
+    records.dedup_by_key(|r| r.label);
+    records
 }
 
 /// Adds a claim in dimension N by both methods, if it is meaningful there.

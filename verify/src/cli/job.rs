@@ -22,7 +22,9 @@ pub struct Job {
 impl Job {
     /// Computes, shows and writes.
     pub fn run(&self) -> Result<(), Stop> {
-        self.study.check().map_err(|error| Stop::Usage(error.to_string()))?;
+        self.study
+            .check()
+            .map_err(|error| Stop::Usage(error.to_string()))?;
         self.files().try_for_each(|path| output::check(path))?;
         let rows = self.compute()?;
         let out = &mut Out::new();
@@ -52,7 +54,9 @@ impl Job {
         let rows = study.run(&mut |event| {
             progress.show(study, event);
             if let Event::Row(row) = event {
-                let gap = degree.replace(row.degree).is_some_and(|before| before != row.degree);
+                let gap = degree
+                    .replace(row.degree)
+                    .is_some_and(|before| before != row.degree);
                 let shown = progress.aside(|| show(&mut out, study, row, gap));
                 unwritten = unwritten.take().or(shown.err());
             }
@@ -66,7 +70,10 @@ impl Job {
         let report = Report::new(&self.study, rows, command());
         if let Some(path) = &self.json {
             let json = serde_json::to_string_pretty(&report);
-            output::write(path, &(json.map_err(|e| Stop::Failed(e.to_string()))? + "\n"))?;
+            output::write(
+                path,
+                &(json.map_err(|e| Stop::Failed(e.to_string()))? + "\n"),
+            )?;
         }
         if let Some(path) = &self.plot {
             output::write(path, &picture::svg(&self.study, &report, &self.title)?)?;
@@ -89,6 +96,11 @@ fn command() -> String {
         true => format!("'{word}'"),
         false => word,
     };
-    let words = std::env::args_os().skip(1).map(|word| quote(word.to_string_lossy().into_owned()));
-    std::iter::once("regge".to_string()).chain(words).collect::<Vec<_>>().join(" ")
+    let words = std::env::args_os()
+        .skip(1)
+        .map(|word| quote(word.to_string_lossy().into_owned()));
+    std::iter::once("regge".to_string())
+        .chain(words)
+        .collect::<Vec<_>>()
+        .join(" ")
 }

@@ -70,7 +70,9 @@ fn critical(study: &Study) -> Option<String> {
         false => "",
     };
     let why = match printed {
-        true => "As printed: projection of exactness 2r, functional of order 2(r+2), norm of order 5.",
+        true => {
+            "As printed: projection of exactness 2r, functional of order 2(r+2), norm of order 5."
+        }
         false => {
             "The quadrature is converged, that of the paper was not: averaged r = 1 is about 1.2 times the plotted \
              value at k = 3, which --as-printed meets to a few percent."

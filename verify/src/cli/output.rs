@@ -11,7 +11,11 @@ pub fn check(path: &Path) -> Result<(), Stop> {
     if path.is_dir() || path.file_name().is_none() {
         return refuse("is a folder, not a file");
     }
-    if folder(path).is_dir() { Ok(()) } else { refuse("there is no such folder") }
+    if folder(path).is_dir() {
+        Ok(())
+    } else {
+        refuse("there is no such folder")
+    }
 }
 
 /// Writes a file beside its place and moves it there: what stood there before stays until the new one is whole.
@@ -59,7 +63,11 @@ mod tests {
         assert!(folder.join("taken/inside").is_dir());
         write(&file, "new").unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "new");
-        assert_eq!(fs::read_dir(&folder).unwrap().count(), 2, "no part is left behind");
+        assert_eq!(
+            fs::read_dir(&folder).unwrap().count(),
+            2,
+            "no part is left behind"
+        );
         fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -20,7 +20,13 @@ fn figure(study: &Study, report: &Report, title: &str) -> Figure {
         for (index, &interpolant) in study.interpolants.iter().enumerate() {
             let of = |row: &&Row| row.degree == degree && row.interpolant == interpolant.name_of();
             let rows: Vec<&Row> = report.rows.iter().filter(of).collect();
-            let curve = curve(degree, index, interpolant, study.interpolants.len() > 1, &rows);
+            let curve = curve(
+                degree,
+                index,
+                interpolant,
+                study.interpolants.len() > 1,
+                &rows,
+            );
             guides.extend(guide(study, degree, interpolant, &curve, &guides));
             curves.push(curve);
         }
@@ -34,15 +40,32 @@ fn figure(study: &Study, report: &Report, title: &str) -> Figure {
     }
 }
 
-fn curve(degree: usize, dashed: usize, interpolant: Interpolation, several: bool, rows: &[&Row]) -> Curve {
+fn curve(
+    degree: usize,
+    dashed: usize,
+    interpolant: Interpolation,
+    several: bool,
+    rows: &[&Row],
+) -> Curve {
     let name = match several {
         true => format!("r = {degree}, {}", interpolant.name_of()),
         false => format!("r = {degree}"),
     };
     let seen = |error: f64| error > ROUNDING;
-    let ours = rows.iter().filter(|row| seen(row.error)).map(|row| (row.ndof as f64, row.error));
-    let printed = rows.iter().filter_map(|row| Some((row.ndof as f64, row.printed?)));
-    Curve { name, color: degree, dashed: dashed > 0, points: ours.collect(), marks: printed.collect() }
+    let ours = rows
+        .iter()
+        .filter(|row| seen(row.error))
+        .map(|row| (row.ndof as f64, row.error));
+    let printed = rows
+        .iter()
+        .filter_map(|row| Some((row.ndof as f64, row.printed?)));
+    Curve {
+        name,
+        color: degree,
+        dashed: dashed > 0,
+        points: ours.collect(),
+        marks: printed.collect(),
+    }
 }
 
 /// A slope of the expected order under a curve, unless one of that order is there already.
@@ -59,7 +82,13 @@ fn guide(
     let first = curve.points.get(curve.points.len().checked_sub(3)?)?;
     (!others.iter().any(|guide| guide.label == label)).then(|| {
         let slope = -(order as f64) / study.dimension as f64;
-        Guide { label, slope, from: first.0, to: last.0, at_end: 0.45 * last.1 }
+        Guide {
+            label,
+            slope,
+            from: first.0,
+            to: last.0,
+            at_end: 0.45 * last.1,
+        }
     })
 }
 
@@ -80,6 +109,10 @@ fn superscript(order: usize) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     match order {
         1 => String::new(),
-        _ => order.to_string().bytes().map(|digit| DIGITS[usize::from(digit - b'0')]).collect(),
+        _ => order
+            .to_string()
+            .bytes()
+            .map(|digit| DIGITS[usize::from(digit - b'0')])
+            .collect(),
     }
 }

@@ -26,7 +26,8 @@ impl Progress {
     pub fn show(&self, study: &Study, event: Event<'_>) {
         match event {
             Event::Phase(case, phase) => {
-                self.bar.set_message(format!("r = {}, k = {}: {phase}", case.degree, case.level));
+                self.bar
+                    .set_message(format!("r = {}, k = {}: {phase}", case.degree, case.level));
             }
             Event::Done(case) => self.bar.inc(study.work(case)),
             Event::Row(_) => {}

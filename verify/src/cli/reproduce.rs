@@ -134,10 +134,7 @@ impl Target {
 
     fn default_interpolants(self) -> Vec<Interpolation> {
         match self {
-            Self::Figure2 => vec![
-                Interpolation::AverageHierarchical,
-                Interpolation::Canonical,
-            ],
+            Self::Figure2 => vec![Interpolation::AverageHierarchical, Interpolation::Canonical],
             Self::Table1 | Self::Table2 => vec![Interpolation::AverageHierarchical],
         }
     }

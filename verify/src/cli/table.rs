@@ -10,7 +10,18 @@ pub fn head(out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "{:>2} {:>2}  {:20} {:>8} {:>9} {:>8}  {:>10} {:>6}  {:>10} {:>6} {:>7} {:>8}",
-        "r", "k", "interpolant", "cells", "ndof", "h", "error", "order", "printed", "order", "ratio", "seconds"
+        "r",
+        "k",
+        "interpolant",
+        "cells",
+        "ndof",
+        "h",
+        "error",
+        "order",
+        "printed",
+        "order",
+        "ratio",
+        "seconds"
     )
 }
 
@@ -40,5 +51,12 @@ fn number(x: Option<f64>, digits: usize) -> String {
 
 fn printed_order(metric: Metric, row: &Row, study: &Study) -> Option<f64> {
     let interpolant = Interpolation::from_name(&row.interpolant)?;
-    printed::series(metric, row.dimension, study.quantity, row.degree, interpolant)?.order(row.level)
+    printed::series(
+        metric,
+        row.dimension,
+        study.quantity,
+        row.degree,
+        interpolant,
+    )?
+    .order(row.level)
 }

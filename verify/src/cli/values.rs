@@ -14,7 +14,8 @@ impl FromStr for Levels {
     fn from_str(text: &str) -> Result<Self, String> {
         let number = |part: &str| {
             let part = part.trim();
-            part.parse::<u32>().map_err(|_| format!("'{part}' is no level: write 0..=7, 0..8 or 3"))
+            part.parse::<u32>()
+                .map_err(|_| format!("'{part}' is no level: write 0..=7, 0..8 or 3"))
         };
         // Far more than any mesh can have; a range must not become a list of billions.
         let bounded = |level: u32| match level {
@@ -28,7 +29,11 @@ impl FromStr for Levels {
         } else {
             vec![bounded(number(text)?)?]
         };
-        if levels.is_empty() { Err("there is no level in this range".into()) } else { Ok(Self(levels)) }
+        if levels.is_empty() {
+            Err("there is no level in this range".into())
+        } else {
+            Ok(Self(levels))
+        }
     }
 }
 
@@ -41,7 +46,10 @@ pub fn named<T: Named>() -> impl TypedValueParser<Value = T> {
 
 /// Clap's message without its advice on usage, in one line.
 pub fn one_line(message: &str) -> String {
-    let end = ["\n\nUsage:", "\n\nFor more"].iter().filter_map(|mark| message.find(mark)).min();
+    let end = ["\n\nUsage:", "\n\nFor more"]
+        .iter()
+        .filter_map(|mark| message.find(mark))
+        .min();
     let message = &message[..end.unwrap_or(message.len())];
     let message = message.strip_prefix("error: ").unwrap_or(message);
     message.split_whitespace().collect::<Vec<_>>().join(" ")

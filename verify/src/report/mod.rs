@@ -1,4 +1,14 @@
-//! What a run found, as data.
+//! What a run found: data, tables, pages.
+
+mod chart;
+mod formula;
+mod html;
+mod page;
+mod summary;
+
+pub use html::document;
+pub use page::{Page, pages};
+pub use summary::Row;
 
 use serde::Serialize;
 
@@ -94,28 +104,4 @@ pub struct Failure {
     /// The numbers of the smallest failing instance that do not vanish.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub instance: Vec<String>,
-}
-
-/// What went wrong with an entry, in a few lines.
-pub fn describe_failure(entry: &Entry) -> String {
-    let mut text = format!(
-        "{} (N = {}, {}) fails",
-        entry.label, entry.dimension, entry.method
-    );
-    if let Some(failure) = &entry.failure {
-        text += &format!(" at case {}: {}", failure.case, failure.what);
-        if !failure.detail.is_empty() {
-            text += &format!(" [{}]", failure.detail);
-        }
-        if !failure.instance.is_empty() {
-            text += &format!("; smallest instance found: {}", failure.instance.join(", "));
-        }
-    }
-    for forgery in entry.forgeries.iter().filter(|f| !f.caught) {
-        text += &format!("\n    not caught: {}", forgery.name);
-        if let Some(margin) = forgery.margin {
-            text += &format!(" (residual {margin:.1e} of the tolerance)");
-        }
-    }
-    text
 }

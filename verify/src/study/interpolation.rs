@@ -40,7 +40,8 @@ pub enum ProjectionKind {
 
 impl Named for ProjectionKind {
     const KIND: &'static str = "projection";
-    const ALL: &'static [(&'static str, Self)] = &[("exact", Self::Exact), ("discrete", Self::Discrete)];
+    const ALL: &'static [(&'static str, Self)] =
+        &[("exact", Self::Exact), ("discrete", Self::Discrete)];
 }
 
 impl ProjectionKind {
@@ -71,7 +72,9 @@ impl Interpolation {
         let degree = space.degree();
         let interpolant = match self {
             // As many points as the exact projection has.
-            Self::Canonical => Interpolant::Canonical { order: 2 * degree + 12 },
+            Self::Canonical => Interpolant::Canonical {
+                order: 2 * degree + 12,
+            },
             Self::Average => Interpolant::Average(projection.projection::<N>(degree)?),
             Self::AverageHierarchical => {
                 Interpolant::AverageHierarchical(projection.projection::<N>(degree)?)

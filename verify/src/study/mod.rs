@@ -14,11 +14,13 @@ mod run;
 
 pub use interpolation::{Interpolation, ProjectionKind};
 pub use named::Named;
+pub use printed_rules::printed_rule;
 pub use quantity::Quantity;
 pub use report::Report;
 pub use row::{ROUNDING, Row, observed_order};
-pub use printed_rules::printed_rule;
-pub use rules::{LoadQuadrature, Orders, Quadrature, QuadratureReport, StudyRules, converged_order};
+pub use rules::{
+    LoadQuadrature, Orders, Quadrature, QuadratureReport, StudyRules, converged_order,
+};
 pub use run::{Event, Failure, Phase, mesh, mesh_seed};
 
 use regge::Error;
@@ -70,21 +72,32 @@ impl Study {
     pub fn check(&self) -> Result<(), Error> {
         let refuse = |reason: String| Err(Error::Input(reason));
         if !(2..=3).contains(&self.dimension) {
-            return refuse(format!("dimension {}: the H⁻² norm is for 2 and 3", self.dimension));
+            return refuse(format!(
+                "dimension {}: the H⁻² norm is for 2 and 3",
+                self.dimension
+            ));
         }
         if self.interpolants.is_empty() || self.cases.is_empty() {
             return refuse("nothing to compute: no interpolant, degree or level".into());
         }
-        self.cases.iter().try_for_each(|&case| self.check_case(case))
+        self.cases
+            .iter()
+            .try_for_each(|&case| self.check_case(case))
     }
 
     fn check_case(&self, case: Case) -> Result<(), Error> {
         let largest = Self::largest_level(self.dimension);
         let reason = if case.level > largest {
             let n = self.dimension;
-            format!("level {} is too fine: {largest} is the finest in dimension {n}", case.level)
+            format!(
+                "level {} is too fine: {largest} is the finest in dimension {n}",
+                case.level
+            )
         } else if case.degree > LARGEST_DEGREE {
-            format!("degree {} is too high: {LARGEST_DEGREE} is the highest", case.degree)
+            format!(
+                "degree {} is too high: {LARGEST_DEGREE} is the highest",
+                case.degree
+            )
         } else if case.degree > 0 && self.interpolants.contains(&Interpolation::Geodesic) {
             format!("the geodesic interpolant has degree 0, not {}", case.degree)
         } else {

@@ -11,12 +11,18 @@ pub trait Named: Copy + PartialEq + Send + Sync + 'static {
 
     /// Its name.
     fn name_of(self) -> &'static str {
-        Self::ALL.iter().find(|entry| entry.1 == self).map_or("?", |entry| entry.0)
+        Self::ALL
+            .iter()
+            .find(|entry| entry.1 == self)
+            .map_or("?", |entry| entry.0)
     }
 
     /// The one with this name.
     fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|entry| entry.0 == name).map(|entry| entry.1)
+        Self::ALL
+            .iter()
+            .find(|entry| entry.0 == name)
+            .map(|entry| entry.1)
     }
 }
 

@@ -23,7 +23,9 @@ struct Table {
 pub fn printed_rule(dimension: usize, order: usize) -> Result<Rule, Error> {
     let damaged = |e: serde_json::Error| Error::Input(format!("printed-quadrature.json: {e}"));
     let mut all: BTreeMap<String, Table> = serde_json::from_str(PRINTED).map_err(damaged)?;
-    let shape = ["point", "segment", "triangle", "tetrahedron"].get(dimension).unwrap_or(&"simplex");
+    let shape = ["point", "segment", "triangle", "tetrahedron"]
+        .get(dimension)
+        .unwrap_or(&"simplex");
     match (all.remove(&format!("{shape}-{order}")), dimension, order) {
         (Some(table), _, _) => from_table(dimension, table),
         (None, 2, 8) => triangle_of_order_eight(),

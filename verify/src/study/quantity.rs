@@ -59,19 +59,34 @@ impl Quantity {
                 add(&mut load, -1.0, &smooth);
                 load
             }
-            Self::BTerm => along_segment(g, g_h, space, |g, sigma| b_h(g, sigma, space, rules).total()),
-            Self::ATerm => along_segment(g, g_h, space, |g, sigma| a_h(g, sigma, space, rules).total()),
+            Self::BTerm => along_segment(g, g_h, space, |g, sigma| {
+                b_h(g, sigma, space, rules).total()
+            }),
+            Self::ATerm => along_segment(g, g_h, space, |g, sigma| {
+                a_h(g, sigma, space, rules).total()
+            }),
             Self::CriticalTerm => {
-                let rules = &Rules { hinge: rules.hinge.clone(), ..cheapest::<N>() };
+                let rules = &Rules {
+                    hinge: rules.hinge.clone(),
+                    ..cheapest::<N>()
+                };
                 let term = |sums: Sums<f64>| sums.hinge.into_iter().map(|x| -x).collect();
                 along_segment(g, g_h, space, |g, sigma| term(a_h(g, sigma, space, rules)))
             }
             Self::EinsteinTerm => {
-                let rules = &Rules { element: rules.element.clone(), ..cheapest::<N>() };
-                along_segment(g, g_h, space, |g, sigma| a_h(g, sigma, space, rules).element)
+                let rules = &Rules {
+                    element: rules.element.clone(),
+                    ..cheapest::<N>()
+                };
+                along_segment(g, g_h, space, |g, sigma| {
+                    a_h(g, sigma, space, rules).element
+                })
             }
             Self::SecondFormTerm => {
-                let rules = &Rules { face: rules.face.clone(), ..cheapest::<N>() };
+                let rules = &Rules {
+                    face: rules.face.clone(),
+                    ..cheapest::<N>()
+                };
                 along_segment(g, g_h, space, |g, sigma| a_h(g, sigma, space, rules).face)
             }
         }
@@ -80,7 +95,11 @@ impl Quantity {
 
 /// One point a simplex, for the sums that are not looked at.
 fn cheapest<const N: usize>() -> Rules {
-    Rules { element: Rule::new(N, 0), face: Rule::new(N - 1, 0), hinge: Rule::new(N - 2, 0) }
+    Rules {
+        element: Rule::new(N, 0),
+        face: Rule::new(N - 1, 0),
+        hinge: Rule::new(N - 2, 0),
+    }
 }
 
 /// y += α x.

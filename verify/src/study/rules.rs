@@ -75,9 +75,15 @@ pub fn converged_order(case: Case) -> usize {
 
 impl Quadrature {
     /// Converged throughout.
-    pub const CONVERGED: Self = Self { load: LoadQuadrature::Converged, norm: None };
+    pub const CONVERGED: Self = Self {
+        load: LoadQuadrature::Converged,
+        norm: None,
+    };
     /// As in the paper's tables.
-    pub const AS_PRINTED: Self = Self { load: LoadQuadrature::AsPrinted, norm: None };
+    pub const AS_PRINTED: Self = Self {
+        load: LoadQuadrature::AsPrinted,
+        norm: None,
+    };
 
     /// The order at which the functionals are integrated.
     pub fn load_order(self, case: Case) -> usize {
@@ -111,7 +117,12 @@ impl Quadrature {
     /// All orders of a case.
     pub fn orders(self, dimension: usize, case: Case) -> Orders {
         let Case { degree, level } = case;
-        Orders { degree, level, load: self.load_order(case), norm: self.norm_order(dimension, degree) }
+        Orders {
+            degree,
+            level,
+            load: self.load_order(case),
+            norm: self.norm_order(dimension, degree),
+        }
     }
 
     /// The rules of a case.
@@ -128,7 +139,10 @@ impl Quadrature {
                 hinge: printed_rule(N - 2, order)?,
             },
         };
-        let norm = self.norm_order(N, case.degree).map(|order| printed_rule(N, order)).transpose()?;
+        let norm = self
+            .norm_order(N, case.degree)
+            .map(|order| printed_rule(N, order))
+            .transpose()?;
         Ok(StudyRules { load, norm })
     }
 }

@@ -88,14 +88,18 @@ impl Study {
     /// # Errors
     /// The first thing that fails; rows before have been shown to the observer.
     pub fn run(&self, observe: &mut dyn FnMut(Event<'_>)) -> Result<Vec<Row>, Failure> {
-        self.check().map_err(|error| Failure { case: None, error })?;
+        self.check()
+            .map_err(|error| Failure { case: None, error })?;
         let mut rows = Vec::new();
         for &case in &self.cases {
             let done = match self.dimension {
                 2 => self.run_case::<2>(case, &mut rows, observe),
                 _ => self.run_case::<3>(case, &mut rows, observe),
             };
-            done.map_err(|error| Failure { case: Some(case), error })?;
+            done.map_err(|error| Failure {
+                case: Some(case),
+                error,
+            })?;
             observe(Event::Done(case));
         }
         Ok(rows)
@@ -144,7 +148,11 @@ impl Study {
         let load = self.quantity.load(&g, &g_h, norm.space(), &rules.load);
         phase(Phase::Norm);
         let error = norm.norm(&load, rules.norm.as_ref())?.total();
-        if error.is_finite() { Ok(error) } else { Err(Error::Solver(format!("the norm is {error}"))) }
+        if error.is_finite() {
+            Ok(error)
+        } else {
+            Err(Error::Solver(format!("the norm is {error}")))
+        }
     }
 
     /// The row without what only the sequence knows.
