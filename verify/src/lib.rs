@@ -5,6 +5,7 @@
 pub mod claim;
 pub mod claims;
 pub mod exact;
+pub mod exact_rule;
 pub mod instance;
 pub mod plot;
 pub mod printed;

@@ -38,12 +38,20 @@ impl Formulas for Broken {
         normal: &Normal<J::Lower, N>,
     ) -> Mat<J::Lower, N> {
         let right = Paper::second_form(connection, nu, normal);
-        if faulty(SIGN_OF_II) { right.map(|x| -x) } else { right }
+        if faulty(SIGN_OF_II) {
+            right.map(|x| -x)
+        } else {
+            right
+        }
     }
 
     fn dihedral<F: Algebraic, const N: usize>(hinge: &Hinge<F, N>) -> (F, F) {
         let (sin, cos) = Paper::dihedral(hinge);
-        if faulty(PLUS_G) { (sin, -cos) } else { (sin, cos) }
+        if faulty(PLUS_G) {
+            (sin, -cos)
+        } else {
+            (sin, cos)
+        }
     }
 
     fn trace_reversed<F: Field, const N: usize>(
@@ -63,7 +71,11 @@ impl Formulas for Broken {
         sigma: &Mat<F, N>,
     ) -> Mat<F, N> {
         let right = Paper::reverse_trace(g, inverse, sigma);
-        if faulty(HALF_S) { (right + sigma).map(|x| x * F::half()) } else { right }
+        if faulty(HALF_S) {
+            (right + sigma).map(|x| x * F::half())
+        } else {
+            right
+        }
     }
 }
 
@@ -73,7 +85,10 @@ fn report(fault: u8) -> Report {
     FAULT.store(fault, Ordering::Relaxed);
     let mut catalogue = Catalogue::new();
     pointwise::<Broken, 3>(&mut catalogue);
-    let options = Options { quick: true, ..Options::default() };
+    let options = Options {
+        quick: true,
+        ..Options::default()
+    };
     let report = run_catalogue(catalogue, &options, &|_| ());
     report.unwrap_or_else(|e| panic!("{e}"))
 }
@@ -95,10 +110,16 @@ fn nothing_fails_unbroken() {
 fn a_wrong_sign_of_the_second_fundamental_form_is_found() {
     let broken = broken_claims(SIGN_OF_II);
     for label in ["D03", "D04", "P10", "P13", "P14", "P18", "P20"] {
-        assert!(broken.iter().any(|l| l == label), "{label} holds, of {broken:?}");
+        assert!(
+            broken.iter().any(|l| l == label),
+            "{label} holds, of {broken:?}"
+        );
     }
     // What has no II in it goes on holding.
-    assert!(!broken.iter().any(|l| l == "P03" || l == "P22"), "{broken:?}");
+    assert!(
+        !broken.iter().any(|l| l == "P03" || l == "P22"),
+        "{broken:?}"
+    );
 }
 
 #[test]
@@ -110,7 +131,10 @@ fn a_dihedral_angle_with_the_wrong_cosine_is_found() {
 fn the_other_trace_reversal_is_found() {
     let broken = broken_claims(HALF_S);
     for label in ["D02", "D13", "I09", "P03", "P15", "P17", "P20"] {
-        assert!(broken.iter().any(|l| l == label), "{label} holds, of {broken:?}");
+        assert!(
+            broken.iter().any(|l| l == label),
+            "{label} holds, of {broken:?}"
+        );
     }
 }
 
@@ -123,9 +147,20 @@ fn the_second_form_in_the_place_of_its_trace_reversal_is_found() {
 fn the_message_names_the_claim_and_replays_it() {
     let report = report(SIGN_OF_II);
     let failures = report.failures();
-    let entry = failures.iter().find(|e| e.label == "P20").expect("P20 fails");
-    assert!(entry.describe_failure().starts_with("P20 (N = 3, AD) fails at case 0"));
-    assert!(entry.replay(7).ends_with("--only P20 --dimension 3 --seed 7"));
+    let entry = failures
+        .iter()
+        .find(|e| e.label == "P20")
+        .expect("P20 fails");
+    assert!(
+        entry
+            .describe_failure()
+            .starts_with("P20 (N = 3, AD) fails at case 0")
+    );
+    assert!(
+        entry
+            .replay(7)
+            .ends_with("--only P20 --dimension 3 --seed 7")
+    );
     let smallest = &entry.failure.as_ref().expect("a failure").instance;
     assert!(!smallest.is_empty(), "the instance that shows it is given");
 }

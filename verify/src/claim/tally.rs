@@ -99,7 +99,7 @@ impl Tally {
         let tolerance = self.judgement.tolerance();
         for term in equation.terms().filter(|t| t.vanishes.is_some()) {
             let size = largest(&term.value) / equation.scale();
-            if !(size <= tolerance) {
+            if size.is_nan() || size > tolerance {
                 let reason = term.vanishes.unwrap_or_default();
                 return Err(format!(
                     "{}: the term {} was declared to vanish ({reason}) and is {size:.1e} of the sum of the terms",
@@ -170,7 +170,7 @@ impl Tally {
         if let Some(reason) = forged.vacuous {
             trial.vacuous = Some(reason);
             // Said to change nothing: then the forged equation holds as well.
-            if !(residual <= tolerance) {
+            if residual.is_nan() || residual > tolerance {
                 let what = format!(
                     "{}: declared vacuous ({reason}), but it is caught",
                     trial.name
@@ -283,7 +283,7 @@ impl<B: Ground> Equation<B> {
     }
 
     /// Did a root or an inverse not exist?
-    pub(super) fn is_poisoned(&self) -> bool {
+    pub fn is_poisoned(&self) -> bool {
         let forged = self
             .forged
             .iter()

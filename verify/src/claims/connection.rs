@@ -58,7 +58,7 @@ impl Pointwise for P05 {
             [
                 raise(&base.inverse, half, |m, i, j| d(i, j, m)),
                 raise(&base.inverse, half, |m, i, j| d(j, i, m)),
-                raise(&base.inverse, -half, |m, i, j| d(m, i, j)),
+                raise(&base.inverse, -half, d),
             ]
         };
         let [a, b, c] = terms(&|m, i, j| covariant[m][(i, j)]);

@@ -93,7 +93,7 @@ impl Pointwise for D04 {
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let g = i.still0().g;
-        let connection = Connection::new(&g.map(|x| Jet1::<S::Base, N>::constant(x)));
+        let connection = Connection::new(&g.map(Jet1::<S::Base, N>::constant));
         let x = i.fields[0].map(|x| x.value.value());
         // ν = d(½ g(x,x)), with ∂_m ν_j = g_mj.
         let lowered = apply(&g, &x);
