@@ -60,25 +60,8 @@ fn cone(
         lambda.pop();
         return;
     }
-    let fits = |u: Fp, lambda: &mut Vec<Fp>| {
-        if k > 1 {
-            return true;
-        }
-        lambda.extend([rest * u, rest * (Fp::one() - u)]);
-        let fits = usable(lambda);
-        lambda.truncate(lambda.len() - 2);
-        fits
-    };
     // The Jacobian (1−u)^(k−1) adds to the degree.
-    let mut nodes = Vec::with_capacity(degree + k);
-    let mut candidate = 2;
-    while nodes.len() < degree + k {
-        let u = Fp::from_int(candidate);
-        if fits(u, lambda) {
-            nodes.push(u);
-        }
-        candidate += 1;
-    }
+    let nodes = nodes(k, degree + k, rest, lambda, usable);
     for (&u, w) in nodes.iter().zip(weights(&nodes)) {
         let left = Fp::one() - u;
         lambda.push(rest * u);
@@ -93,6 +76,25 @@ fn cone(
         );
         lambda.pop();
     }
+}
+
+/// Distinct elements of the field; in the last direction (k = 1) only those whose points are usable.
+fn nodes(
+    k: usize,
+    count: usize,
+    rest: Fp,
+    lambda: &[Fp],
+    usable: &dyn Fn(&[Fp]) -> bool,
+) -> Vec<Fp> {
+    let fits = |u: Fp| {
+        let point = [lambda, &[rest * u, rest * (Fp::one() - u)]].concat();
+        k > 1 || usable(&point)
+    };
+    (2..)
+        .map(Fp::from_int)
+        .filter(|u| fits(*u))
+        .take(count)
+        .collect()
 }
 
 #[cfg(test)]

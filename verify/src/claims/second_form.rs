@@ -42,15 +42,6 @@ impl Pointwise for D03 {
         let bend = table(&|x, y| -form(&base.g, &n, &along(&bends[y], &tau[x])));
         let scale = S::Base::one() / scene.face.normal.length;
         let hessian = base.hessian(&i.phi).map(|x| x * scale);
-        let flat = Face::new::<K>(base, &i.flat_nu());
-        let nu = i.nu().map(|x| x.value);
-        let christoffel = Mat::<S::Base, N>::from_fn(|a, b| {
-            let mut sum = S::Base::zero();
-            for k in 0..N {
-                sum -= base.gamma[k][(a, b)] * nu[k] * scale;
-            }
-            sum
-        });
         let transposed = table(&|x, y| form(&second_form, &tau[y], &tau[x]));
         vec![
             Equation::new("∇n")
@@ -68,11 +59,26 @@ impl Pointwise for D03 {
             Equation::new("trace")
                 .left("H", scene.face.h)
                 .right("ΣII(τ,τ)", sum(&tau, |t| form(&second_form, t, t))),
-            Equation::new("plane")
-                .left("II", flat.second_form)
-                .right("−Γν/|ν|", christoffel),
+            plane::<K, S, N>(i),
         ]
     }
+}
+
+/// II of a plane, from Christoffel symbols.
+fn plane<K: Formulas, S: Timed, const N: usize>(i: &Instance<S, N>) -> Equation<S::Base> {
+    let base = i.still0();
+    let face = Face::new::<K>(&base, &i.flat_nu());
+    let nu = i.nu().map(|x| x.value);
+    let christoffel = Mat::<S::Base, N>::from_fn(|a, b| {
+        let mut sum = S::Base::zero();
+        for k in 0..N {
+            sum -= base.gamma[k][(a, b)] * nu[k];
+        }
+        sum / face.normal.length
+    });
+    Equation::new("plane")
+        .left("II", face.second_form)
+        .right("−Γν/|ν|", christoffel)
 }
 
 /// Spheres.

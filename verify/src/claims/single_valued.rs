@@ -90,33 +90,41 @@ impl Pointwise for D13 {
             &broken_sigma,
             &-nu,
         );
-        let hinge = [&nu, &i.nu_bar];
-        let name = "tangential continuity broken";
-        vec![
-            Equation::new("𝕊σ(n,n)")
-                .left("𝕊σ(n,n)", plus.s_nn)
-                .right("−Tr(σ|_F)", -plus.normal.trace(&sigma))
-                .forge("σ for 𝕊σ", "𝕊σ(n,n)", plus.sigma_nn()),
-            Equation::new("𝕊σ across F")
-                .left("𝕊σ⁺(n⁺,n⁺)", plus.s_nn)
-                .right("𝕊σ⁻(n⁻,n⁻)", minus.s_nn)
-                .forge(name, "𝕊σ⁻(n⁻,n⁻)", broken.s_nn)
-                .forge_terms(
-                    "σ for 𝕊σ",
-                    vec![
-                        ("𝕊σ⁺(n⁺,n⁺)", vec![plus.sigma_nn()]),
-                        ("𝕊σ⁻(n⁻,n⁻)", vec![minus.sigma_nn()]),
-                    ],
-                ),
-            Equation::new("ω_F")
-                .left("ω_F⁺", plus.omega_f())
-                .right("ω_F⁻", minus.omega_f())
-                .forge(name, "ω_F⁻", broken.omega_f()),
-            Equation::new("ω_S")
-                .left("ω_S⁺", plus.omega_s(hinge))
-                .right("ω_S⁻", minus.omega_s(hinge))
-                .forge(name, "ω_S⁻", broken.omega_s(hinge))
-                .vacuous(N == 2, "ω_S = 1 when S is a point"),
-        ]
+        across(&[plus, minus, broken], [&nu, &i.nu_bar], N == 2)
     }
+}
+
+/// The equations between the two sides; the third is the second with continuity broken.
+fn across<B: Ground, const N: usize>(
+    [plus, minus, broken]: &[Side<B, N>; 3],
+    hinge: [&Vector<B, N>; 2],
+    point: bool,
+) -> Vec<Equation<B>> {
+    let name = "tangential continuity broken";
+    vec![
+        Equation::new("𝕊σ(n,n)")
+            .left("𝕊σ(n,n)", plus.s_nn)
+            .right("−Tr(σ|_F)", -plus.normal.trace(&plus.sigma))
+            .forge("σ for 𝕊σ", "𝕊σ(n,n)", plus.sigma_nn()),
+        Equation::new("𝕊σ across F")
+            .left("𝕊σ⁺(n⁺,n⁺)", plus.s_nn)
+            .right("𝕊σ⁻(n⁻,n⁻)", minus.s_nn)
+            .forge(name, "𝕊σ⁻(n⁻,n⁻)", broken.s_nn)
+            .forge_terms(
+                "σ for 𝕊σ",
+                vec![
+                    ("𝕊σ⁺(n⁺,n⁺)", vec![plus.sigma_nn()]),
+                    ("𝕊σ⁻(n⁻,n⁻)", vec![minus.sigma_nn()]),
+                ],
+            ),
+        Equation::new("ω_F")
+            .left("ω_F⁺", plus.omega_f())
+            .right("ω_F⁻", minus.omega_f())
+            .forge(name, "ω_F⁻", broken.omega_f()),
+        Equation::new("ω_S")
+            .left("ω_S⁺", plus.omega_s(hinge))
+            .right("ω_S⁻", minus.omega_s(hinge))
+            .forge(name, "ω_S⁻", broken.omega_s(hinge))
+            .vacuous(point, "ω_S = 1 when S is a point"),
+    ]
 }
