@@ -51,7 +51,10 @@ fn sphere<const N: usize>() {
         assert_eq!(mesh.count(k), binomial(N + 2, k + 1));
     }
     assert!(mesh.is_closed() && !mesh.has_coordinates());
-    assert_eq!(mesh.euler_characteristic(), if N % 2 == 0 { 2 } else { 0 });
+    assert_eq!(
+        mesh.euler_characteristic(),
+        if N.is_multiple_of(2) { 2 } else { 0 }
+    );
 }
 
 #[test]

@@ -6,7 +6,7 @@ use regge::jet::{Jet, Jet1, Jet2};
 use regge::linalg::{Mat, inverse_and_det, symmetric};
 use regge::metrics::Metric;
 use regge::riemann::Connection;
-use regge::scalar::{Algebraic, Field, Lanes, Real};
+use regge::scalar::{Lanes, Real};
 use regge::smooth::SmoothTensor;
 
 fn close(a: f64, b: f64, tolerance: f64) {

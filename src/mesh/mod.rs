@@ -204,7 +204,7 @@ impl<const N: usize> Mesh<N> {
     pub fn euler_characteristic(&self) -> i64 {
         (0..=N)
             .map(|k| {
-                if k % 2 == 0 {
+                if k.is_multiple_of(2) {
                     self.count(k) as i64
                 } else {
                     -(self.count(k) as i64)
@@ -280,7 +280,7 @@ impl<const N: usize> Mesh<N> {
             let sides: Vec<Side> = self.star(N - 1, face).collect();
             // The volume's sign as seen from the face: face vertices first, the opposite vertex last.
             let seen = |s: &Side| {
-                if s.place % 2 == 0 {
+                if s.place.is_multiple_of(2) {
                     volumes[s.cell]
                 } else {
                     -volumes[s.cell]

@@ -1,7 +1,7 @@
 //! The geodesic interpolant: the piecewise constant metric whose edge lengths are geodesic distances.
 //!
-//! The geodesic of an edge is the one reached from the straight edge by continuation along (1−τ)δ + τg, τ from 0 to
-//! 1. The curve is a polynomial of degree m+1 in its parameter; its energy is made stationary by Newton's method
+//! The geodesic of an edge is the one reached from the straight edge by continuation along (1−τ)δ + τg for τ in
+//! [0, 1]. The curve is a polynomial of degree m+1 in its parameter; its energy is made stationary by Newton's method
 //! with exact first and second derivatives, and m is doubled until the length stands still.
 
 use super::{ReggeFunction, ReggeSpace};

@@ -1,12 +1,16 @@
-//! The catalogue of claims: every statement of the paper as a test that can fail.
+//! The sceptic's half of `regge`: the catalogue of claims, and the studies that reproduce the paper's tables.
 //!
-//! [`run()`] checks all of them and yields a [`Report`](report::Report). See [`claims`] for how to add one.
+//! [`run()`] checks every claim and yields a [`Report`](report::Report). See [`claims`] for how to add one.
 
 pub mod claim;
 pub mod claims;
 pub mod exact;
+pub mod exact_rule;
 pub mod instance;
+pub mod plot;
+pub mod printed;
 pub mod report;
 mod run;
+pub mod study;
 
 pub use run::{Options, Progress, UnknownLabel, run, run_catalogue};

@@ -101,7 +101,7 @@ pub fn run_catalogue(
         Budget::full(options.seed)
     };
     let total = checks.len();
-    let run_one = |check: &Box<dyn Check>| {
+    let run_one = |check: &dyn Check| {
         let entry = check.run(&budget);
         progress(Progress {
             total,
@@ -115,7 +115,7 @@ pub fn run_catalogue(
             .unwrap_or("unknown")
             .to_owned(),
         seed: options.seed,
-        claims: checks.par_iter().map(run_one).collect(),
+        claims: checks.par_iter().map(|c| run_one(c.as_ref())).collect(),
     })
 }
 

@@ -8,6 +8,7 @@
 //!     .forge("Ric for G", "−⟨G,σ⟩ω", …)
 //! ```
 
+use super::Method;
 use super::scalar::Ground;
 use crate::exact::Fp;
 use nalgebra::SMatrix;
@@ -195,6 +196,61 @@ impl<B: Ground> Equation<B> {
     pub fn magnitude(mut self, size: impl Components<B>) -> Self {
         self.magnitude += largest(&size.components());
         self
+    }
+}
+
+impl<B: Ground> Equation<B> {
+    /// The terms of both sides.
+    pub(super) fn terms(&self) -> impl Iterator<Item = &Term<B>> {
+        self.left.iter().chain(&self.right)
+    }
+
+    /// Σ of the terms' magnitudes, never zero; 1 where numbers have no size.
+    pub(super) fn scale(&self) -> f64 {
+        if B::METHOD == Method::Exact {
+            return 1.0;
+        }
+        let sum = self.terms().map(|t| largest(&t.value)).sum::<f64>() + self.magnitude;
+        if sum == 0.0 { 1.0 } else { sum }
+    }
+
+    /// |left − right| over the scale, or left/right; with some terms replaced.
+    pub(super) fn residual(&self, replaced: &[(&'static str, Vec<B>)]) -> f64 {
+        let side = |terms: &[Term<B>]| -> Vec<B> {
+            let mut sum: Vec<B> = Vec::new();
+            for term in terms {
+                let value = replaced
+                    .iter()
+                    .find(|r| r.0 == term.name)
+                    .map_or(&term.value, |r| &r.1);
+                sum.resize(value.len(), B::zero());
+                for (s, x) in sum.iter_mut().zip(value) {
+                    *s += *x;
+                }
+            }
+            sum
+        };
+        let (mut left, mut right) = (side(&self.left), side(&self.right));
+        let len = left.len().max(right.len());
+        left.resize(len, B::zero());
+        right.resize(len, B::zero());
+        if self.relation == Relation::AtMost {
+            return largest(&left) / largest(&right);
+        }
+        let difference: Vec<B> = left.iter().zip(&right).map(|(l, r)| *l - *r).collect();
+        largest(&difference) / self.scale()
+    }
+
+    /// Did a root or an inverse not exist?
+    pub fn is_poisoned(&self) -> bool {
+        let forged = self
+            .forged
+            .iter()
+            .flat_map(|f| f.replaced.iter().flat_map(|r| &r.1));
+        self.terms()
+            .flat_map(|t| &t.value)
+            .chain(forged)
+            .any(|x| x.is_poison())
     }
 }
 

@@ -14,7 +14,7 @@ mod tally;
 
 pub use check::{Budget, Check};
 pub use equation::{Components, Equation, Forged, Relation, Term};
-pub use pointwise::{Pointwise, PointwiseCheck};
+pub use pointwise::{Over, Pointwise, PointwiseCheck};
 pub use scalar::{Ground, Timed};
 pub use tally::{Case, Tally};
 

@@ -11,6 +11,19 @@ use regge::formulas::Formulas;
 use regge::scalar::Field;
 use std::marker::PhantomData;
 
+/// The scalars that a pointwise claim runs over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// Floating point numbers with derivatives, and the prime field.
+    Both,
+    /// The same; in floating point numbers it is an oracle, a formula with a source outside this project.
+    Oracle,
+    /// Integers only: over the prime field.
+    Integers,
+    /// Inequalities (see [`Equation::at_most`]): not over a field without order.
+    Ordered,
+}
+
 /// One statement that holds at every point, for any jets of the metric.
 ///
 /// The body is written once. Over `Dual64` it differentiates in time through the library's own code; over
@@ -25,8 +38,8 @@ pub trait Pointwise: Send + Sync + 'static {
     const TOLERANCE: f64 = 1e-11;
     /// How many roots the body takes, of volumes, normals and frames.
     const ROOTS: u32 = 3;
-    /// Is there an inequality in it (see [`Equation::at_most`])? It is then not run over a field without order.
-    const BOUND: bool = false;
+    /// By which scalars.
+    const OVER: Over = Over::Both;
 
     /// The equations at one instance.
     fn equations<K: Formulas, S: Timed, const N: usize>(
@@ -40,12 +53,11 @@ pub trait Pointwise: Send + Sync + 'static {
                 degree: degree_bound(dimension, Self::ROOTS),
             };
         }
-        if Self::BOUND {
-            Judgement::Bound
-        } else {
-            Judgement::Rounding {
+        match Self::OVER {
+            Over::Ordered => Judgement::Bound,
+            _ => Judgement::Rounding {
                 tolerance: Self::TOLERANCE,
-            }
+            },
         }
     }
 }
@@ -61,9 +73,6 @@ fn degree_bound(dimension: usize, roots: u32) -> f64 {
     f64::from(8 * (20 * dimension as u32 + 40)) * 4f64.powi(roots as i32)
 }
 
-/// Numbers that can be shrunk.
-type Tree<S> = Box<dyn ValueTree<Value = Vec<<S as Timed>::Base>>>;
-
 /// A pointwise claim in dimension N over the scalar S, by the formulas K.
 pub struct PointwiseCheck<C, K, S, const N: usize>(PhantomData<fn() -> (C, K, S)>);
 
@@ -78,44 +87,37 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> PointwiseCheck<C, K, S
         Instance::from_numbers(numbers)
     }
 
-    /// Draws until all roots exist. The equations, the draw, and how many draws were spoilt.
-    fn draw(runner: &mut TestRunner) -> Option<(Vec<Equation<S::Base>>, Tree<S>, usize)> {
+    /// Draws until all roots exist. The equations, the numbers drawn, and how many draws were spoilt.
+    fn draw(runner: &mut TestRunner) -> Option<(Vec<Equation<S::Base>>, Vec<S::Base>, usize)> {
         let strategy = instance::numbers::<S, N>();
         for spoilt in 0..=S::Base::REDRAWS {
-            let tree = strategy.new_tree(runner).ok()?;
-            let equations = C::equations::<K, S, N>(&Self::instance(&tree.current()));
+            let numbers = strategy.new_tree(runner).ok()?.current();
+            let equations = C::equations::<K, S, N>(&Self::instance(&numbers));
             let usable = S::Base::REDRAWS == 0 || !equations.iter().any(Equation::is_poisoned);
             if usable {
-                return Some((equations, tree, spoilt));
+                return Some((equations, numbers, spoilt));
             }
         }
         None
     }
 
-    /// The simplest numbers for which the claim still fails, as proptest finds them.
-    fn shrink(mut tree: Tree<S>) -> Vec<String> {
-        let fails = |numbers: &[S::Base]| {
-            let equations = C::equations::<K, S, N>(&Self::instance(numbers));
+    /// Sets every number to zero that the failure does not need, one after the other: a thousand numbers become a
+    /// handful, which proptest's own search does not reach in reasonable time.
+    fn shrink(mut numbers: Vec<S::Base>) -> Vec<String> {
+        for k in 0..numbers.len() {
+            let kept = std::mem::replace(&mut numbers[k], S::Base::zero());
+            let equations = C::equations::<K, S, N>(&Self::instance(&numbers));
             let usable = !equations.iter().any(Equation::is_poisoned);
-            usable && !Tally::new(C::judgement::<S::Base>(N)).add(&Case::default(), &equations)
-        };
-        // Enough to set most of the numbers to zero; a longer search makes no difference to a reader.
-        for _ in 0..4000 {
-            let moved = if fails(&tree.current()) {
-                tree.simplify()
-            } else {
-                tree.complicate()
-            };
-            if !moved {
-                break;
+            let holds = || Tally::new(C::judgement::<S::Base>(N)).add(&Case::default(), &equations);
+            if !usable || holds() {
+                numbers[k] = kept;
             }
         }
-        let numbers = tree.current();
         let nonzero = numbers
             .iter()
             .enumerate()
             .filter(|(_, x)| **x != S::Base::zero());
-        nonzero.map(|(i, x)| format!("#{i} = {x:?}")).collect()
+        nonzero.map(|(k, x)| format!("#{k} = {x:?}")).collect()
     }
 }
 
@@ -129,7 +131,10 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
     }
 
     fn method(&self) -> Method {
-        S::Base::METHOD
+        match (S::Base::METHOD, C::OVER) {
+            (Method::Ad, Over::Oracle) => Method::Oracle,
+            (method, _) => method,
+        }
     }
 
     fn run(&self, budget: &Budget) -> Entry {
@@ -145,7 +150,7 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
                 number,
                 ..Case::default()
             };
-            let (label, method) = (C::RECORD.label, S::Base::METHOD.name());
+            let (label, method) = (C::RECORD.label, self.method().name());
             let key = Key {
                 seed: budget.seed,
                 label,
@@ -153,7 +158,7 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
                 method,
                 case: number,
             };
-            let Some((equations, tree, spoilt)) = Self::draw(&mut key.runner()) else {
+            let Some((equations, numbers, spoilt)) = Self::draw(&mut key.runner()) else {
                 tally.fail(
                     &case,
                     "no draw had all the roots that the claim takes".to_owned(),
@@ -162,10 +167,10 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
             };
             tally.redrawn(spoilt);
             if !tally.add(&case, &equations) {
-                tally.shrunk(Self::shrink(tree));
+                tally.shrunk(Self::shrink(numbers));
                 break;
             }
         }
-        tally.finish(&C::RECORD, N, S::Base::NAME, S::Base::METHOD)
+        tally.finish(&C::RECORD, N, S::Base::NAME, self.method())
     }
 }

@@ -25,8 +25,10 @@ pub trait Ground: Algebraic + Components<Self> {
     fn size(self) -> f64;
     /// The angle with this sine and cosine, where the scalar has angles.
     fn angle(sin: Self, cos: Self) -> Option<Self>;
-    /// Is it negative? Nothing where there is no order.
-    fn is_negative(self) -> Option<bool>;
+    /// The real number, where it is one: NaN for an element of a finite field.
+    fn to_real(self) -> f64;
+    /// A real number as such a scalar; poison where there are no real numbers.
+    fn from_real(x: f64) -> Self;
 }
 
 impl Ground for f64 {
@@ -46,8 +48,11 @@ impl Ground for f64 {
     fn angle(sin: Self, cos: Self) -> Option<Self> {
         Some(Real::angle(sin, cos))
     }
-    fn is_negative(self) -> Option<bool> {
-        Some(self < 0.0)
+    fn to_real(self) -> f64 {
+        self
+    }
+    fn from_real(x: f64) -> Self {
+        x
     }
 }
 
@@ -69,8 +74,11 @@ impl Ground for Fp {
     fn angle(_sin: Self, _cos: Self) -> Option<Self> {
         None
     }
-    fn is_negative(self) -> Option<bool> {
-        None
+    fn to_real(self) -> f64 {
+        f64::NAN
+    }
+    fn from_real(_x: f64) -> Self {
+        Self::POISON
     }
 }
 

@@ -1,10 +1,10 @@
 //! Judges the equations of all cases of one entry, and their forgeries.
 
-use super::equation::{Equation, Forged, Relation, Term, largest};
+use super::equation::{Equation, Forged, Relation, largest};
 use super::{Ground, Judgement, Method, Record};
 use crate::report::{Entry, Failure, Forgery, Vacuous, Verdict};
 
-/// A wrong forgery margin: a forgery counts as caught when its residual is this many times the tolerance.
+/// A forgery counts as caught when its residual is this many times the tolerance.
 const CLEARLY: f64 = 10.0;
 
 /// What happened to one forgery over all cases.
@@ -17,6 +17,38 @@ struct Trial {
     /// Residual over tolerance: the least one, or the greatest where one catch is enough.
     margin: Option<f64>,
     vacuous: Option<&'static str>,
+}
+
+impl Trial {
+    fn new(name: String, somewhere: bool) -> Self {
+        Self {
+            name,
+            somewhere,
+            caught: 0,
+            missed: 0,
+            margin: None,
+            vacuous: None,
+        }
+    }
+
+    /// Caught or missed, and by how much.
+    fn note(&mut self, judgement: Judgement, residual: f64) {
+        let clearly = match judgement {
+            Judgement::Bound | Judgement::Rate => 1.0,
+            _ => CLEARLY,
+        };
+        // NaN is no catch.
+        if residual > judgement.tolerance() * clearly {
+            self.caught += 1;
+        } else {
+            self.missed += 1;
+        }
+        if judgement.tolerance() > 0.0 {
+            let margin = residual / judgement.tolerance();
+            let worse = if self.somewhere { f64::max } else { f64::min };
+            self.margin = Some(self.margin.map_or(margin, |m| worse(m, margin)));
+        }
+    }
 }
 
 /// Where a case came from, for a message that lets one replay it.
@@ -99,7 +131,7 @@ impl Tally {
         let tolerance = self.judgement.tolerance();
         for term in equation.terms().filter(|t| t.vanishes.is_some()) {
             let size = largest(&term.value) / equation.scale();
-            if !(size <= tolerance) {
+            if size.is_nan() || size > tolerance {
                 let reason = term.vanishes.unwrap_or_default();
                 return Err(format!(
                     "{}: the term {} was declared to vanish ({reason}) and is {size:.1e} of the sum of the terms",
@@ -150,56 +182,30 @@ impl Tally {
     /// Notes one forgery's residual at one case.
     fn trial<B>(&mut self, name: String, forged: &Forged<B>, residual: f64) {
         let tolerance = self.judgement.tolerance();
-        let exact = matches!(self.judgement, Judgement::Exact { .. });
         let place = self
             .trials
             .iter()
             .position(|t| t.name == name)
             .unwrap_or_else(|| {
-                self.trials.push(Trial {
-                    name,
-                    somewhere: forged.somewhere,
-                    caught: 0,
-                    missed: 0,
-                    margin: None,
-                    vacuous: None,
-                });
+                self.trials.push(Trial::new(name, forged.somewhere));
                 self.trials.len() - 1
             });
-        let trial = &mut self.trials[place];
-        if let Some(reason) = forged.vacuous {
-            trial.vacuous = Some(reason);
-            // Said to change nothing: then the forged equation holds as well.
-            if !(residual <= tolerance) {
-                let what = format!(
-                    "{}: declared vacuous ({reason}), but it is caught",
-                    trial.name
-                );
-                self.fail(
-                    &Case {
-                        number: self.cases - 1,
-                        ..Case::default()
-                    },
-                    what,
-                );
-            }
+        let Some(reason) = forged.vacuous else {
+            self.trials[place].note(self.judgement, residual);
             return;
-        }
-        let clearly = if matches!(self.judgement, Judgement::Bound | Judgement::Rate) {
-            1.0
-        } else {
-            CLEARLY
         };
-        // Written so that NaN is no catch.
-        if residual > tolerance * clearly {
-            trial.caught += 1;
-        } else {
-            trial.missed += 1;
-        }
-        if !exact {
-            let margin = residual / tolerance;
-            let worse = if trial.somewhere { f64::max } else { f64::min };
-            trial.margin = Some(trial.margin.map_or(margin, |m| worse(m, margin)));
+        self.trials[place].vacuous = Some(reason);
+        // Said to change nothing: then the forged equation holds as well.
+        if residual.is_nan() || residual > tolerance {
+            let name = &self.trials[place].name;
+            let what = format!("{name}: declared vacuous ({reason}), but it is caught");
+            self.fail(
+                &Case {
+                    number: self.cases - 1,
+                    ..Case::default()
+                },
+                what,
+            );
         }
     }
 
@@ -238,59 +244,5 @@ impl Tally {
             redraws: self.redraws,
             failure: self.failure,
         }
-    }
-}
-
-impl<B: Ground> Equation<B> {
-    fn terms(&self) -> impl Iterator<Item = &Term<B>> {
-        self.left.iter().chain(&self.right)
-    }
-
-    /// Σ of the terms' magnitudes, never zero; 1 where numbers have no size.
-    fn scale(&self) -> f64 {
-        if B::METHOD == Method::Exact {
-            return 1.0;
-        }
-        let sum = self.terms().map(|t| largest(&t.value)).sum::<f64>() + self.magnitude;
-        if sum == 0.0 { 1.0 } else { sum }
-    }
-
-    /// |left − right| over the scale, or left/right; with some terms replaced.
-    pub(super) fn residual(&self, replaced: &[(&'static str, Vec<B>)]) -> f64 {
-        let side = |terms: &[Term<B>]| -> Vec<B> {
-            let mut sum: Vec<B> = Vec::new();
-            for term in terms {
-                let value = replaced
-                    .iter()
-                    .find(|r| r.0 == term.name)
-                    .map_or(&term.value, |r| &r.1);
-                sum.resize(value.len(), B::zero());
-                for (s, x) in sum.iter_mut().zip(value) {
-                    *s += *x;
-                }
-            }
-            sum
-        };
-        let (mut left, mut right) = (side(&self.left), side(&self.right));
-        let len = left.len().max(right.len());
-        left.resize(len, B::zero());
-        right.resize(len, B::zero());
-        if self.relation == Relation::AtMost {
-            return largest(&left) / largest(&right);
-        }
-        let difference: Vec<B> = left.iter().zip(&right).map(|(l, r)| *l - *r).collect();
-        largest(&difference) / self.scale()
-    }
-
-    /// Did a root or an inverse not exist?
-    pub(super) fn is_poisoned(&self) -> bool {
-        let forged = self
-            .forged
-            .iter()
-            .flat_map(|f| f.replaced.iter().flat_map(|r| &r.1));
-        self.terms()
-            .flat_map(|t| &t.value)
-            .chain(forged)
-            .any(|x| x.is_poison())
     }
 }

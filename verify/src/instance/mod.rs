@@ -7,13 +7,16 @@ mod draw;
 mod geometry;
 
 pub use draw::{jet1, jet2, vary1, vary2};
-pub use geometry::{Face, divergence_terms, gram_schmidt, mean_curvature_density, reversed};
+pub use geometry::{
+    Face, Scene, along, derivative, divergence_terms, mean_curvature_density, orthonormal, reversed,
+};
 
 use crate::claim::{Ground, Timed};
 use draw::Source;
 use proptest::strategy::{BoxedStrategy, Strategy};
+use regge::formulas::Formulas;
 use regge::jet::{Jet1, Jet2, lower};
-use regge::linalg::{Mat, Vector, symmetric};
+use regge::linalg::{Mat, Vector};
 use regge::riemann::{Connection, differential};
 use regge::scalar::Field;
 
@@ -116,6 +119,17 @@ impl<S: Timed, const N: usize> Instance<S, N> {
         Connection::new(&lower(&self.g))
     }
 
+    /// The face F = {φ = 0} and what is on it, by the formulas K.
+    pub fn scene<K: Formulas>(&self) -> Scene<S::Base, N> {
+        Scene::new::<K, S>(self, &self.nu())
+    }
+
+    /// H of F = {φ = 0} in the metric g + t σ.
+    #[inline(never)]
+    pub fn moving_h<K: Formulas>(&self) -> S {
+        Face::new::<K>(&self.moving0(), &self.nu().map(still_jet::<S, N>)).h
+    }
+
     /// σ with first derivatives.
     pub fn sigma1(&self) -> Mat<Jet1<S::Base, N>, N> {
         lower(&self.sigma)
@@ -143,10 +157,10 @@ impl<S: Timed, const N: usize> Instance<S, N> {
         let moving = self.moving();
         let nu = self.nu().map(still_jet::<S, N>);
         let normal = regge::hypersurface::Normal::new(&moving.inverse, &nu);
-        Frame {
-            n: normal.n,
-            tau: gram_schmidt(&moving.g, &normal.n, &self.seeds),
-        }
+        let mut vectors = vec![normal.n];
+        vectors.extend(self.seeds.iter().copied());
+        let tau = orthonormal(&moving.g, &vectors).split_off(1);
+        Frame { n: normal.n, tau }
     }
 }
 
@@ -204,9 +218,4 @@ pub fn sum<B: Field, X>(items: &[X], f: impl Fn(&X) -> B) -> B {
         sum += f(x);
     }
     sum
-}
-
-/// The symmetric matrix with a(i, j) for entries.
-pub fn matrix<B: Field, const N: usize>(a: impl Fn(usize, usize) -> B) -> Mat<B, N> {
-    symmetric(a)
 }

@@ -1,4 +1,14 @@
-//! What a run found, as data.
+//! What a run found: data, tables, pages.
+
+mod chart;
+mod formula;
+mod html;
+mod page;
+mod summary;
+
+pub use html::document;
+pub use page::{Page, pages};
+pub use summary::Row;
 
 use serde::Serialize;
 

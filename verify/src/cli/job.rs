@@ -1,0 +1,106 @@
+//! What `reproduce` and `converge` share: a study, computed, shown and written.
+
+use super::progress::Progress;
+use super::stop::{Out, Stop};
+use super::{notes, output, picture, table};
+use regge_verify::study::{Event, Report, Row, Study};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// A study and where it goes.
+pub struct Job {
+    /// What is computed.
+    pub study: Study,
+    /// What it is, for the table's and the picture's head.
+    pub title: String,
+    /// Where the JSON goes.
+    pub json: Option<PathBuf>,
+    /// Where the picture goes.
+    pub plot: Option<PathBuf>,
+}
+
+impl Job {
+    /// Computes, shows and writes.
+    pub fn run(&self) -> Result<(), Stop> {
+        self.study
+            .check()
+            .map_err(|error| Stop::Usage(error.to_string()))?;
+        self.files().try_for_each(|path| output::check(path))?;
+        let rows = self.compute()?;
+        let out = &mut Out::new();
+        for note in notes::of(&self.study, &rows) {
+            writeln!(out, "\n{note}")?;
+        }
+        self.write(rows)?;
+        for path in self.files() {
+            writeln!(out, "\nwritten: {}", path.display())?;
+        }
+        Ok(())
+    }
+
+    fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.json.iter().chain(&self.plot)
+    }
+
+    /// Shows each row as soon as it is there.
+    fn compute(&self) -> Result<Vec<Row>, Stop> {
+        let study = &self.study;
+        let mut out = Out::new();
+        writeln!(out, "{}\n", self.title)?;
+        table::head(&mut out)?;
+        let progress = Progress::new(study);
+        let mut degree = None;
+        let mut unwritten = None;
+        let rows = study.run(&mut |event| {
+            progress.show(study, event);
+            if let Event::Row(row) = event {
+                let gap = degree
+                    .replace(row.degree)
+                    .is_some_and(|before| before != row.degree);
+                let shown = progress.aside(|| show(&mut out, study, row, gap));
+                unwritten = unwritten.take().or(shown.err());
+            }
+        });
+        drop(progress);
+        let rows = rows.map_err(|failure| Stop::Failed(failure.to_string()))?;
+        unwritten.map_or(Ok(rows), |error: io::Error| Err(error.into()))
+    }
+
+    fn write(&self, rows: Vec<Row>) -> Result<(), Stop> {
+        let report = Report::new(&self.study, rows, command());
+        if let Some(path) = &self.json {
+            let json = serde_json::to_string_pretty(&report);
+            output::write(
+                path,
+                &(json.map_err(|e| Stop::Failed(e.to_string()))? + "\n"),
+            )?;
+        }
+        if let Some(path) = &self.plot {
+            output::write(path, &picture::svg(&self.study, &report, &self.title)?)?;
+        }
+        Ok(())
+    }
+}
+
+fn show(out: &mut dyn Write, study: &Study, row: &Row, gap: bool) -> io::Result<()> {
+    if gap {
+        writeln!(out)?;
+    }
+    table::line(out, study, row)?;
+    out.flush()
+}
+
+/// The command as it was given.
+fn command() -> String {
+    let quote = |word: String| match word.contains(char::is_whitespace) {
+        true => format!("'{word}'"),
+        false => word,
+    };
+    let words = std::env::args_os()
+        .skip(1)
+        .map(|word| quote(word.to_string_lossy().into_owned()));
+    std::iter::once("regge".to_string())
+        .chain(words)
+        .collect::<Vec<_>>()
+        .join(" ")
+}
