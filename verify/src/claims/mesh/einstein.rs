@@ -1,4 +1,4 @@
-//! M07, M10, M11: the distributional Einstein tensor.
+//! M07, M10, M19: the distributional Einstein tensor.
 
 use super::fields::{Three, metric, moving, rates, times, values, variation};
 use super::setting::{Draw, OnMesh, QUADRATURE, ROUNDING, Setting, Shape, grid};
@@ -133,12 +133,12 @@ impl OnMesh for M10 {
 }
 
 /// The trace of the Einstein tensor.
-pub struct M11;
+pub struct M19;
 
-impl OnMesh for M11 {
+impl OnMesh for M19 {
     const RECORD: Record = Record {
-        label: "M11",
-        paper: &["def:distein"],
+        label: "M19",
+        paper: &["sec:einstein"],
         title: "The trace of the distributional Einstein tensor",
         statement: r"\langle (G\omega)_{\rm dist}(g),gv\rangle = -\frac{N-2}{2}\langle (R\omega)_{\rm dist}(g),v\rangle,
             \text{ sum by sum}",

@@ -15,11 +15,15 @@ mod euclid;
 mod gauge;
 mod homotopy;
 mod parts;
+mod references;
 mod simplex;
+mod spaces;
+mod tables;
 mod traces;
 mod variation;
 
 use super::Catalogue;
+pub(crate) use constant::second_variation;
 use regge::formulas::Formulas;
 use setting::{MeshCheck, OnMesh};
 
@@ -40,7 +44,7 @@ fn add<C: OnMesh, K: Formulas, const N: usize>(all: &mut Catalogue) {
 /// Adds those of dimension N.
 pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<gauge::D10, K, N>(all);
-    add::<traces::D13, K, N>(all);
+    add::<references::D11, K, N>(all);
     add::<traces::D14, K, N>(all);
     add::<defects::M01, K, N>(all);
     add::<defects::M02, K, N>(all);
@@ -53,7 +57,6 @@ pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<closed::M08, K, N>(all);
     add::<closed::M09, K, N>(all);
     add::<einstein::M10, K, N>(all);
-    add::<einstein::M11, K, N>(all);
     add::<constant::M12, K, N>(all);
     add::<constant::M13, K, N>(all);
     add::<constant::M14, K, N>(all);
@@ -61,6 +64,12 @@ pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<gauge::M16, K, N>(all);
     add::<simplex::M17, K, N>(all);
     add::<bianchi::M18, K, N>(all);
+    add::<einstein::M19, K, N>(all);
+    add::<traces::M20, K, N>(all);
+    add::<spaces::I29, K, N>(all);
+    add::<spaces::N03, K, N>(all);
+    add::<spaces::N04, K, N>(all);
+    add::<tables::N05, K, N>(all);
     add::<simplex::T01, K, N>(all);
     add::<parts::T03, K, N>(all);
     add::<parts::T04, K, N>(all);

@@ -22,6 +22,8 @@ pub enum Shape {
     Torus(usize),
     /// ∂Δ^{N+1}.
     Sphere,
+    /// The mesh of a reference case, by its number.
+    Oracle(usize),
 }
 
 impl Shape {
@@ -35,6 +37,7 @@ impl Shape {
             }
             Self::Torus(side) => Mesh::torus(side),
             Self::Sphere => Mesh::simplex_boundary(),
+            Self::Oracle(number) => Ok(crate::oracle::case(number).mesh()),
         };
         // N ≥ 2 and side ≥ 1 (3 on a torus); a tenth of a cell inverts nothing.
         mesh.unwrap_or_else(|e| panic!("{self:?} in dimension {N}: {e}"))
@@ -86,6 +89,11 @@ pub fn grid(shapes: &[Shape], orders: &[usize], times: usize) -> Vec<Setting> {
 pub struct Draw(TestRunner);
 
 impl Draw {
+    /// The numbers of a case.
+    pub fn new(key: &Key<'_>) -> Self {
+        Self(key.runner())
+    }
+
     /// So many numbers from −1…1.
     pub fn numbers(&mut self, len: usize) -> Vec<f64> {
         let strategy = proptest::collection::vec(-1.0..1.0, len);
@@ -151,7 +159,7 @@ impl<C: OnMesh, K: Formulas, const N: usize> Check for MeshCheck<C, K, N> {
                 case: number,
             };
             let detail = format!("{:?}, r = {}, order {}", at.shape, at.degree, at.order);
-            let equations = C::equations::<K, N>(&at, &mut Draw(key.runner()));
+            let equations = C::equations::<K, N>(&at, &mut Draw::new(&key));
             if !tally.add(&Case { number, detail }, &equations) {
                 break;
             }

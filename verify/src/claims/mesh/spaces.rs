@@ -131,7 +131,7 @@ impl OnMesh for N03 {
         let h = (N as f64).sqrt() * least;
         // A quarter of a cell when N = 2, 0.153 of it when N = 3.
         let amplitude = h * 2f64.powf(-(2.0 * N as f64 + 1.0) / 2.0);
-        let points = |m: regge::mesh::Mesh<N>| -> Vec<f64> {
+        let points = |m: Mesh<N>| -> Vec<f64> {
             m.points().unwrap_or_default().iter().flatten().copied().collect()
         };
         let (Ok(paper), Ok(plain)) = (mesh.perturbed_as_in_paper(k, 5), mesh.perturbed(amplitude, 5)) else {

@@ -1,4 +1,4 @@
-//! D13, D14: what is single-valued where cells meet.
+//! M20, D14: what is single-valued where cells meet.
 
 use super::density::{FaceTerms, HingeTerms, Seen};
 use super::fields::{metric, torn, variation};
@@ -40,7 +40,7 @@ fn both_sides<const N: usize>(
 }
 
 /// 𝕊σ(n,n), ω_F, ω_S.
-pub struct D13;
+pub struct M20;
 
 /// 𝕊σ(n,n), −Tr(σ|_F), σ(n,n) and ω_F from both sides of the faces.
 fn on_faces<K: Formulas, const N: usize, G: TensorField<f64, N>, H: TensorField<f64, N>>(
@@ -71,11 +71,11 @@ fn on_hinges<K: Formulas, const N: usize, G: TensorField<f64, N>>(
     })
 }
 
-impl OnMesh for D13 {
+impl OnMesh for M20 {
     const RECORD: Record = Record {
-        label: "D13",
-        paper: &["normSgsigma"],
-        title: "What tangential-tangential continuity is for: 𝕊σ(n,n), ω_F and ω_S are single-valued",
+        label: "M20",
+        paper: &["thm:distcurvdot", "normSgsigma"],
+        title: "On Regge spaces 𝕊σ(n,n), ω_F and ω_S are single-valued",
         statement: r"\mathbb{S}\sigma(n,n) = -\operatorname{Tr}(\sigma|_F),\quad \mathbb{S}\sigma^+(n^+,n^+) =
             \mathbb{S}\sigma^-(n^-,n^-),\quad \omega_F^+=\omega_F^-,\ \omega_S^+=\omega_S^-",
         sides: "The two cells of a face: different components of g and σ in different coordinates, and different normals.",
