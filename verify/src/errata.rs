@@ -115,17 +115,32 @@ fn scaling_section() -> Result<String, Error> {
         let (value, norm) = scaling(k)?;
         rows += &format!("| {k} | {value:.6} | {norm:.6} | {:.4} |\n", value / norm);
     }
-    Ok(format!("{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-verify --test errata`\n"))
+    Ok(format!(
+        "{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-verify --test errata`\n"
+    ))
 }
 
 fn quadrature_section() -> Result<String, Error> {
     let hierarchical = Interpolation::AverageHierarchical;
-    let printed = errors(0, hierarchical, ProjectionKind::Discrete, Quadrature::AS_PRINTED)?;
-    let exact = errors(0, hierarchical, ProjectionKind::Discrete, Quadrature::CONVERGED)?;
+    let printed = errors(
+        0,
+        hierarchical,
+        ProjectionKind::Discrete,
+        Quadrature::AS_PRINTED,
+    )?;
+    let exact = errors(
+        0,
+        hierarchical,
+        ProjectionKind::Discrete,
+        Quadrature::CONVERGED,
+    )?;
     let table = [0.223745609409278, 0.0861267946606119, 0.0271990483397802];
     let mut rows = String::new();
     for r in 0..3 {
-        rows += &format!("| {r} | {} | {:.10} | {:.6} |\n", table[r], printed[r], exact[r]);
+        rows += &format!(
+            "| {r} | {} | {:.10} | {:.6} |\n",
+            table[r], printed[r], exact[r]
+        );
     }
     Ok(format!(
         "{QUADRATURE}\n| r | printed | the paper's rules | converged rules |\n|---|---|---|---|\n{rows}
@@ -136,7 +151,10 @@ fn quadrature_section() -> Result<String, Error> {
 
 fn interpolant_section() -> Result<String, Error> {
     let of = |i| errors(2, i, ProjectionKind::Exact, Quadrature::CONVERGED);
-    let (appendix, tables) = (of(Interpolation::Average)?, of(Interpolation::AverageHierarchical)?);
+    let (appendix, tables) = (
+        of(Interpolation::Average)?,
+        of(Interpolation::AverageHierarchical)?,
+    );
     let mut rows = String::new();
     for r in 0..3 {
         rows += &format!("| {r} | {:.6e} | {:.6e} |\n", appendix[r], tables[r]);

@@ -74,7 +74,9 @@ const CASES: [(usize, &str); 10] = [
 
 /// The numbers of the cases of a dimension.
 pub fn numbers(dimension: usize) -> Vec<usize> {
-    (0..CASES.len()).filter(|&i| CASES[i].0 == dimension).collect()
+    (0..CASES.len())
+        .filter(|&i| CASES[i].0 == dimension)
+        .collect()
 }
 
 /// A case by its number.
@@ -88,23 +90,38 @@ pub fn case(number: usize) -> Oracle {
 impl Oracle {
     /// Its mesh.
     pub fn mesh<const N: usize>(&self) -> Mesh<N> {
-        let points = self.vertices.iter().map(|v| Vector::from_column_slice(v)).collect();
+        let points = self
+            .vertices
+            .iter()
+            .map(|v| Vector::from_column_slice(v))
+            .collect();
         Mesh::new(points, &self.simplices).unwrap_or_else(|e| panic!("an oracle's mesh: {e}"))
     }
 
     /// g_h: the Regge function through the samples.
-    pub fn metric<'s, const N: usize>(&self, space: &'s ReggeSpace<'s, N>) -> ReggeFunction<'s, f64, N> {
+    pub fn metric<'s, const N: usize>(
+        &self,
+        space: &'s ReggeSpace<'s, N>,
+    ) -> ReggeFunction<'s, f64, N> {
         let mesh = space.mesh();
         let basis = Bernstein::new(N + 1, self.degree);
         let mut coefficients = vec![f64::NAN; space.len()];
         for (cell, sample) in self.samples.iter().enumerate() {
-            let lambda: Vec<Vec<f64>> = sample.points.iter().map(|x| barycentric(mesh, cell, x)).collect();
-            let lu = DMatrix::from_fn(basis.len(), basis.len(), |q, a| basis.value(a, &lambda[q])).lu();
+            let lambda: Vec<Vec<f64>> = sample
+                .points
+                .iter()
+                .map(|x| barycentric(mesh, cell, x))
+                .collect();
+            let lu =
+                DMatrix::from_fn(basis.len(), basis.len(), |q, a| basis.value(a, &lambda[q])).lu();
             for (e, edge) in subsets(N + 1, 2).iter().enumerate() {
-                let (Some(a), Some(b)) = (mesh.corner(cell, edge[0]), mesh.corner(cell, edge[1])) else {
+                let (Some(a), Some(b)) = (mesh.corner(cell, edge[0]), mesh.corner(cell, edge[1]))
+                else {
                     continue;
                 };
-                let along = |q: usize| (b - a).dot(&(Mat::<f64, N>::from_row_slice(&sample.g[q]) * (b - a)));
+                let along = |q: usize| {
+                    (b - a).dot(&(Mat::<f64, N>::from_row_slice(&sample.g[q]) * (b - a)))
+                };
                 let values = DMatrix::from_fn(basis.len(), 1, |q, _| along(q));
                 if let Some(c) = lu.solve(&values) {
                     for alpha in 0..basis.len() {
@@ -113,7 +130,9 @@ impl Oracle {
                 }
             }
         }
-        space.function(coefficients).unwrap_or_else(|e| panic!("all coefficients: {e}"))
+        space
+            .function(coefficients)
+            .unwrap_or_else(|e| panic!("all coefficients: {e}"))
     }
 }
 
@@ -121,7 +140,9 @@ impl Oracle {
 fn barycentric<const N: usize>(mesh: &Mesh<N>, cell: usize, x: &[f64]) -> Vec<f64> {
     let corner = |i: usize| mesh.corner(cell, i).unwrap_or_else(Vector::zeros);
     // Σ λ_i = 1, Σ λ_i x_i = x.
-    let matrix = DMatrix::from_fn(N + 1, N + 1, |row, i| if row == 0 { 1.0 } else { corner(i)[row - 1] });
+    let matrix = DMatrix::from_fn(N + 1, N + 1, |row, i| {
+        if row == 0 { 1.0 } else { corner(i)[row - 1] }
+    });
     let right = DMatrix::from_fn(N + 1, 1, |row, _| if row == 0 { 1.0 } else { x[row - 1] });
     let solved = matrix.lu().solve(&right);
     solved.map_or(vec![f64::NAN; N + 1], |l| l.iter().copied().collect())

@@ -16,7 +16,10 @@ fn the_printed_conormal_negates_the_second_variation() {
 fn scaling2_has_no_constant() {
     let quotient = |k: f64| {
         let (value, norm) = scaling(k).expect("a triangle has coordinates");
-        assert!((value - 1.0).abs() < 1e-14, "the integral over the edge is 1");
+        assert!(
+            (value - 1.0).abs() < 1e-14,
+            "the integral over the edge is 1"
+        );
         value / norm
     };
     // It grows like √(2k).

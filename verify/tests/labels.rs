@@ -5,7 +5,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const LABELS: &str = include_str!("../../docs/verification/labels.toml");
 const KINDS: [&str; 8] = [
-    "claim", "definition", "bound", "rate", "remark", "figure", "table", "section",
+    "claim",
+    "definition",
+    "bound",
+    "rate",
+    "remark",
+    "figure",
+    "table",
+    "section",
 ];
 
 /// Of one label: its keys with their values, quotes and brackets taken off.
@@ -15,15 +22,25 @@ type Label = BTreeMap<String, Vec<String>>;
 fn labels() -> BTreeMap<String, Label> {
     let mut all = BTreeMap::new();
     let mut current = String::new();
-    for line in LABELS.lines().filter(|l| !l.is_empty() && !l.starts_with('#')) {
+    for line in LABELS
+        .lines()
+        .filter(|l| !l.is_empty() && !l.starts_with('#'))
+    {
         if let Some(name) = line.strip_prefix("[\"").and_then(|l| l.strip_suffix("\"]")) {
             current = name.to_owned();
             let before = all.insert(current.clone(), Label::new());
             assert!(before.is_none(), "{name} is there twice");
             continue;
         }
-        let (key, value) = line.split_once(" = ").unwrap_or_else(|| panic!("not a key: {line}"));
-        let values = value.split('"').skip(1).step_by(2).map(str::to_owned).collect();
+        let (key, value) = line
+            .split_once(" = ")
+            .unwrap_or_else(|| panic!("not a key: {line}"));
+        let values = value
+            .split('"')
+            .skip(1)
+            .step_by(2)
+            .map(str::to_owned)
+            .collect();
         let label: &mut Label = all.get_mut(&current).expect("a key belongs to a label");
         label.insert(key.to_owned(), values);
     }
@@ -40,15 +57,30 @@ fn no_label_is_missing() {
 fn every_label_has_a_kind_and_either_a_home_or_a_reason() {
     let rows: BTreeSet<&str> = records().iter().map(|r| r.label).collect();
     for (name, label) in labels() {
-        let kind = label.get("kind").and_then(|k| k.first()).unwrap_or_else(|| panic!("{name}: no kind"));
+        let kind = label
+            .get("kind")
+            .and_then(|k| k.first())
+            .unwrap_or_else(|| panic!("{name}: no kind"));
         assert!(KINDS.contains(&kind.as_str()), "{name}: {kind}");
         let (home, reason) = (label.get("home"), label.get("reason"));
-        assert!(home.is_some() != reason.is_some(), "{name}: a home or a reason");
+        assert!(
+            home.is_some() != reason.is_some(),
+            "{name}: a home or a reason"
+        );
         for row in home.into_iter().flatten() {
-            assert!(rows.contains(row.as_str()), "{name}: the catalogue has no {row}");
+            assert!(
+                rows.contains(row.as_str()),
+                "{name}: the catalogue has no {row}"
+            );
         }
-        assert!(reason.is_none_or(|r| !r[0].is_empty()), "{name}: an empty reason");
-        assert!(kind != "claim" || home.is_some(), "{name} is a claim without a home");
+        assert!(
+            reason.is_none_or(|r| !r[0].is_empty()),
+            "{name}: an empty reason"
+        );
+        assert!(
+            kind != "claim" || home.is_some(),
+            "{name} is a claim without a home"
+        );
     }
 }
 

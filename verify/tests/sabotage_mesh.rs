@@ -41,14 +41,26 @@ impl Formulas for Broken {
         normal: &Normal<J::Lower, N>,
     ) -> Mat<J::Lower, N> {
         let right = Paper::second_form(connection, nu, normal);
-        if faulty(SIGN_OF_II) { right.map(|x| -x) } else { right }
+        if faulty(SIGN_OF_II) {
+            right.map(|x| -x)
+        } else {
+            right
+        }
     }
     fn dihedral<F: Algebraic, const N: usize>(hinge: &Hinge<F, N>) -> (F, F) {
         let (sin, cos) = Paper::dihedral(hinge);
-        if faulty(PLUS_G) { (sin, -cos) } else { (sin, cos) }
+        if faulty(PLUS_G) {
+            (sin, -cos)
+        } else {
+            (sin, cos)
+        }
     }
     fn trace_reversed<F: Field, const N: usize>(g: &Mat<F, N>, ii: &Mat<F, N>, h: F) -> Mat<F, N> {
-        if faulty(II_FOR_II_BAR) { *ii } else { Paper::trace_reversed(g, ii, h) }
+        if faulty(II_FOR_II_BAR) {
+            *ii
+        } else {
+            Paper::trace_reversed(g, ii, h)
+        }
     }
     fn reverse_trace<F: Field, const N: usize>(
         g: &Mat<F, N>,
@@ -56,7 +68,11 @@ impl Formulas for Broken {
         sigma: &Mat<F, N>,
     ) -> Mat<F, N> {
         let right = Paper::reverse_trace(g, inverse, sigma);
-        if faulty(HALF_S) { (right + sigma).map(|x| x * F::half()) } else { right }
+        if faulty(HALF_S) {
+            (right + sigma).map(|x| x * F::half())
+        } else {
+            right
+        }
     }
     fn face_factor<F: Field>() -> F {
         F::from_int(if faulty(ONE_FACE) { 1 } else { 2 })
@@ -89,10 +105,16 @@ fn broken_claims(fault: u8) -> Vec<String> {
 fn finds(fault: u8, broken: &[&str], sound: &[&str]) {
     let found = broken_claims(fault);
     for label in broken {
-        assert!(found.iter().any(|l| l == label), "{label} holds; broken: {found:?}");
+        assert!(
+            found.iter().any(|l| l == label),
+            "{label} holds; broken: {found:?}"
+        );
     }
     for label in sound {
-        assert!(found.iter().all(|l| l != label), "{label} fails; broken: {found:?}");
+        assert!(
+            found.iter().all(|l| l != label),
+            "{label} fails; broken: {found:?}"
+        );
     }
 }
 
@@ -103,35 +125,63 @@ fn nothing_fails_unbroken() {
 
 #[test]
 fn a_wrong_sign_of_the_second_fundamental_form_is_found() {
-    finds(SIGN_OF_II, &["D11", "M01", "M05", "M06", "M16", "M17", "T01"], &["M02", "M14", "T03"]);
+    finds(
+        SIGN_OF_II,
+        &["D11", "M01", "M05", "M06", "M16", "M17", "T01"],
+        &["M02", "M14", "T03"],
+    );
 }
 
 #[test]
 fn a_dihedral_angle_with_the_wrong_cosine_is_found() {
-    finds(PLUS_G, &["D10", "D11", "M02", "M03", "M05", "M12", "M14"], &["M01", "M04", "T04"]);
+    finds(
+        PLUS_G,
+        &["D10", "D11", "M02", "M03", "M05", "M12", "M14"],
+        &["M01", "M04", "T04"],
+    );
 }
 
 #[test]
 fn the_other_trace_reversal_is_found() {
-    finds(HALF_S, &["M01", "M03", "M05", "M06"], &["M02", "M14", "D11"]);
+    finds(
+        HALF_S,
+        &["M01", "M03", "M05", "M06"],
+        &["M02", "M14", "D11"],
+    );
 }
 
 #[test]
 fn the_second_form_in_the_place_of_its_trace_reversal_is_found() {
-    finds(II_FOR_II_BAR, &["M01", "M05", "M17", "M19"], &["M02", "D11", "M04"]);
+    finds(
+        II_FOR_II_BAR,
+        &["M01", "M05", "M17", "M19"],
+        &["M02", "D11", "M04"],
+    );
 }
 
 #[test]
 fn a_factor_dropped_from_the_hinge_sum_is_found() {
-    finds(ONE_HINGE, &["D11", "M02", "M03", "M05", "M06", "M14"], &["M01", "M04", "M12"]);
+    finds(
+        ONE_HINGE,
+        &["D11", "M02", "M03", "M05", "M06", "M14"],
+        &["M01", "M04", "M12"],
+    );
 }
 
 #[test]
 fn a_factor_dropped_from_the_face_sum_is_found() {
-    finds(ONE_FACE, &["D11", "M01", "M05", "M06"], &["M02", "M04", "M14"]);
+    finds(
+        ONE_FACE,
+        &["D11", "M01", "M05", "M06"],
+        &["M02", "M04", "M14"],
+    );
 }
 
 #[test]
 fn a_form_b_h_without_the_boundary_is_found() {
-    finds(INTERIOR_FACES, &["M04", "M05", "T04", "M17"], &["M01", "M02", "M03"]);
+    finds(
+        INTERIOR_FACES,
+        &["M04", "M05", "T04", "M17"],
+        &["M01", "M02", "M03"],
+    );
 }

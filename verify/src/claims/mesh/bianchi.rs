@@ -33,7 +33,10 @@ impl<const N: usize> Tangent<'_, '_, N> {
         for (edge, c) in subsets(N + 1, 2).iter().zip(c) {
             let (i, j) = (edge[0], edge[1]);
             let product = lambda[i] * lambda[j];
-            let jet = Jet1 { value: c * product.value, d: product.d.map(|d| c * d) };
+            let jet = Jet1 {
+                value: c * product.value,
+                d: product.d.map(|d| c * d),
+            };
             // Vertex v is at e_{v−1}, vertex 0 at the origin.
             x[j - 1] += jet;
             if i > 0 {
@@ -55,7 +58,9 @@ impl<const N: usize> Tangent<'_, '_, N> {
                     for (from, to, sign) in [(edge[1], edge[0], 1.0), (edge[0], edge[1], -1.0)] {
                         let mut beta = alpha.clone();
                         beta[to] += 1;
-                        let Some(place) = raised.iter().position(|b| *b == beta) else { continue };
+                        let Some(place) = raised.iter().position(|b| *b == beta) else {
+                            continue;
+                        };
                         let factor = (alpha[from] * beta[to]) as f64 / (q + 1) as f64;
                         local[place] += sign * c * factor * v[dof];
                     }
@@ -74,7 +79,9 @@ impl<const N: usize> TensorField<f64, N> for Tangent<'_, '_, N> {
     type Local = (Vec<f64>, Vec<f64>);
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        let lambda = (0..points.len()).map(|q| barycentric_jets(points, q)).collect();
+        let lambda = (0..points.len())
+            .map(|q| barycentric_jets(points, q))
+            .collect();
         (lambda, TensorField::<f64, N>::tabulate(self.g, points))
     }
     fn on_cell(&self, cell: usize) -> Self::Local {
@@ -114,7 +121,10 @@ impl OnMesh for M18 {
         everywhere(dimension, quick)
             .into_iter()
             // L_X g has degree r + 2, v degree 2.
-            .map(|s| Setting { order: s.order + 4, ..s })
+            .map(|s| Setting {
+                order: s.order + 4,
+                ..s
+            })
             .filter(|s| dimension < 4 || s.shape != Shape::Torus(3))
             .collect()
     }
@@ -123,8 +133,14 @@ impl OnMesh for M18 {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, at.degree);
         let g = metric(&regge, draw);
-        let field = Tangent { g: &g, c: draw.numbers(mesh.count(1)) };
-        let (space, target) = (Lagrange::new(&mesh, at.test), Lagrange::new(&mesh, at.test + 1));
+        let field = Tangent {
+            g: &g,
+            c: draw.numbers(mesh.count(1)),
+        };
+        let (space, target) = (
+            Lagrange::new(&mesh, at.test),
+            Lagrange::new(&mesh, at.test + 1),
+        );
         let rules = Rules::new::<N>(at.order);
         let mut v = draw.numbers(space.len());
         for (dof, c) in v.iter_mut().enumerate() {
@@ -132,16 +148,23 @@ impl OnMesh for M18 {
         }
         let b = b_h_with::<K, f64, N, _, _>(&g, &field, &space, &rules).pair(&v);
         let a = a_h_with::<K, f64, N, _, _>(&g, &field, &space, &rules).pair(&v);
-        let r = distributional_curvature_with::<K, f64, N, _>(&g, &target, &rules).pair(&field.apply(&space, &target, &v));
+        let r = distributional_curvature_with::<K, f64, N, _>(&g, &target, &rules)
+            .pair(&field.apply(&space, &target, &v));
         let (flat, surface) = (at.degree == 0, N == 2);
         vec![
             Equation::new("Bianchi")
                 .left("Σ_T ∫⟨𝕊L_Xg,∇∇v⟩ω", b[0])
                 .left("−Σ_F ∫𝕊L_Xg(n,n)⟦∇_n v⟧ω_F", b[1])
                 .left("−Σ_T ∫⟨G,L_Xg⟩vω", -a[0])
-                .vanishes(flat || surface, "G = 0 when N = 2, or g is constant on cells")
+                .vanishes(
+                    flat || surface,
+                    "G = 0 when N = 2, or g is constant on cells",
+                )
                 .left("−Σ̊_F ∫⟨⟦II‾⟧,L_Xg⟩vω_F", -a[1])
-                .vanishes(flat || surface, "II‾ = 0 when N = 2, or g is constant on cells")
+                .vanishes(
+                    flat || surface,
+                    "II‾ = 0 when N = 2, or g is constant on cells",
+                )
                 .left("Σ̊_S ∫Θ Tr(L_Xg|_S)vω_S", -a[2])
                 .vanishes(surface, POINTS)
                 .right("−Σ_T ∫R (Xv) ω", -r[0])

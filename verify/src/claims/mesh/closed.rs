@@ -87,11 +87,20 @@ impl OnMesh for M08 {
             .left("d/dt 2Σ_F ∫⟦H⟧ω_F", x.rate.f)
             .vanishes(flat, FLAT)
             .left("d/dt 2Σ_S ∫Θω_S", x.rate.s)
-            .vanishes(surface && flat, "Σ Θ is 2πχ when N = 2 and g is constant on cells")
+            .vanishes(
+                surface && flat,
+                "Σ Θ is 2πχ when N = 2 and g is constant on cells",
+            )
             .right("−Σ_T ∫⟨G,σ⟩ω", minus(&x.a.t))
-            .vanishes(flat || surface, "G = 0 when N = 2, or g is constant on cells")
+            .vanishes(
+                flat || surface,
+                "G = 0 when N = 2, or g is constant on cells",
+            )
             .right("−Σ_F ∫⟨⟦II‾⟧,σ⟩ω_F", minus(&x.a.f))
-            .vanishes(flat || surface, "II‾ = 0 when N = 2, or g is constant on cells")
+            .vanishes(
+                flat || surface,
+                "II‾ = 0 when N = 2, or g is constant on cells",
+            )
             .right("Σ_S ∫Θ Tr(σ|_S)ω_S", minus(&x.a.s))
             .vanishes(surface, POINTS)
             .magnitude(x.size);
@@ -140,15 +149,27 @@ impl OnMesh for M09 {
             &values(a_h_with::<K, f64, N, _, _>(&g, &sigma, &hats, &rules)),
         );
         let hinges = super::euclid::hinges::<Dual64, N>(&moving(&g, &sigma));
-        let angles: f64 = hinges.iter().map(|h| 2.0 * h.defect.eps * h.volume.re).sum();
-        let size: f64 = hinges.iter().map(|h| (h.defect.eps * h.volume.re).abs()).sum();
-        let volumes: f64 = hinges.iter().map(|h| 2.0 * h.defect.re * h.volume.eps).sum();
+        let angles: f64 = hinges
+            .iter()
+            .map(|h| 2.0 * h.defect.eps * h.volume.re)
+            .sum();
+        let size: f64 = hinges
+            .iter()
+            .map(|h| (h.defect.eps * h.volume.re).abs())
+            .sum();
+        let volumes: f64 = hinges
+            .iter()
+            .map(|h| 2.0 * h.defect.re * h.volume.eps)
+            .sum();
         // What the same sum is on an open mesh.
         let open = Shape::Alfeld.mesh::<N>();
         let space = ReggeSpace::new(&open, 0);
         let moved = moving(&metric(&space, draw), &variation(&space, draw));
         let of_open = super::euclid::hinges::<Dual64, N>(&moved);
-        let with_boundary: f64 = of_open.iter().map(|h| 2.0 * h.defect.eps * h.volume.re).sum();
+        let with_boundary: f64 = of_open
+            .iter()
+            .map(|h| 2.0 * h.defect.eps * h.volume.re)
+            .sum();
         vec![
             Equation::new("angles")
                 .left("2Σ Θ̇_S V_S", angles)
@@ -180,7 +201,11 @@ impl OnMesh for M15 {
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         if dimension == 2 {
-            grid(&[Shape::Torus(3), Shape::Sphere], &orders(2), if quick { 2 } else { 12 })
+            grid(
+                &[Shape::Torus(3), Shape::Sphere],
+                &orders(2),
+                if quick { 2 } else { 12 },
+            )
         } else {
             Vec::new()
         }
@@ -198,7 +223,12 @@ impl OnMesh for M15 {
         ));
         let one = Tested::One.of_sums(&hats, &sums);
         let (flat, torus) = (at.degree == 0, at.shape != Shape::Sphere);
-        let size = sums.t.iter().chain(&sums.f).chain(&sums.s).fold(0.0, |m: f64, x| m.max(x.abs()));
+        let size = sums
+            .t
+            .iter()
+            .chain(&sums.f)
+            .chain(&sums.s)
+            .fold(0.0, |m: f64, x| m.max(x.abs()));
         let total = 4.0 * std::f64::consts::PI * mesh.euler_characteristic() as f64;
         vec![
             Equation::new("4πχ")
@@ -207,7 +237,10 @@ impl OnMesh for M15 {
                 .left("2Σ_F ∫⟦H⟧ω_F", one.f)
                 .vanishes(flat, FLAT)
                 .left("2Σ_S Θ_S", one.s)
-                .vanishes(flat && torus, "it is 4πχ = 0 on a torus with constant g on cells")
+                .vanishes(
+                    flat && torus,
+                    "it is 4πχ = 0 on a torus with constant g on cells",
+                )
                 .right("4πχ", total)
                 .vanishes(torus, "χ = 0 on a torus")
                 .magnitude(size),

@@ -40,11 +40,19 @@ impl OnMesh for M12 {
         let regge = ReggeSpace::new(&mesh, 0);
         let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
         let hats = Lagrange::new(&mesh, 1);
-        let a = values(a_h_with::<K, f64, N, _, _>(&g, &sigma, &hats, &Rules::new::<N>(2)));
+        let a = values(a_h_with::<K, f64, N, _, _>(
+            &g,
+            &sigma,
+            &hats,
+            &Rules::new::<N>(2),
+        ));
         let one = Tested::One.of_sums(&hats, &a);
         let flat = super::euclid::hinges::<Dual64, N>(&moving(&g, &sigma));
         let sum: f64 = flat.iter().map(|h| -2.0 * h.defect.re * h.volume.eps).sum();
-        let size: f64 = flat.iter().map(|h| (h.defect.re * h.volume.eps).abs()).sum();
+        let size: f64 = flat
+            .iter()
+            .map(|h| (h.defect.re * h.volume.eps).abs())
+            .sum();
         vec![
             Equation::new("⟨Gω,σ⟩")
                 .left("Σ_T ∫⟨G,σ⟩ω", one.t)
@@ -91,7 +99,9 @@ fn bilinear<K: Formulas, const N: usize>(
         Seen::<f64, N, _>::new(rho, N - 2, &rule),
         Seen::<f64, N, _>::new(sigma, N - 2, &rule),
     );
-    let terms = |metric: &Mat<f64, N>, field: Mat<f64, N>, place| HingeTerms::new::<K, N>(metric, &field, place);
+    let terms = |metric: &Mat<f64, N>, field: Mat<f64, N>, place| {
+        HingeTerms::new::<K, N>(metric, &field, place)
+    };
     let sum = integrate(&hats, N - 2, &rule, mesh.interior_hinges(), |_, side, p| {
         let value = seen.value(side, p);
         let turn = terms(&value, on_rho.value(side, p), side.place).normal_conormal;
@@ -120,8 +130,14 @@ fn hessian<K: Formulas, const N: usize>(
     sigma: &Regge<'_, f64, N>,
 ) -> f64 {
     let (hats, rules) = (Lagrange::new(mesh, 1), Rules::new::<N>(2));
-    let three = g.coefficients().iter().zip(rho.coefficients()).zip(sigma.coefficients());
-    let moved = three.map(|((g, r), s)| HyperDual64::new(*g, *r, *s, 0.0)).collect();
+    let three = g
+        .coefficients()
+        .iter()
+        .zip(rho.coefficients())
+        .zip(sigma.coefficients());
+    let moved = three
+        .map(|((g, r), s)| HyperDual64::new(*g, *r, *s, 0.0))
+        .collect();
     let moved = function(g.space(), moved);
     let sums = distributional_curvature_with::<K, HyperDual64, N, _>(&moved, &hats, &rules);
     sums.hinge.iter().map(|x| x.eps1eps2).sum()
@@ -175,7 +191,11 @@ impl OnMesh for M13 {
                 .left("∂²⟨Rω(δ+sρ+tσ),1⟩", hessian)
                 .right("−½ΣΣ⟦ρ(n,τ)⟧Tr(σ|_S)", formula)
                 .forge("the printed sign of τ", "−½ΣΣ⟦ρ(n,τ)⟧Tr(σ|_S)", -formula)
-                .forge("Regge's action for ⟨Rω,1⟩", "∂²⟨Rω(δ+sρ+tσ),1⟩", 0.5 * hessian),
+                .forge(
+                    "Regge's action for ⟨Rω,1⟩",
+                    "∂²⟨Rω(δ+sρ+tσ),1⟩",
+                    0.5 * hessian,
+                ),
         ]
     }
 }
@@ -224,7 +244,11 @@ impl OnMesh for M14 {
                 .right("2Σ Θ ∫v", expected.clone())
                 // Θ is a difference of angles of size 2π.
                 .magnitude(std::f64::consts::TAU * size)
-                .forge("the factor 2 dropped", "2Σ_S ∫Θvω_S", times(0.5, &sums.hinge)),
+                .forge(
+                    "the factor 2 dropped",
+                    "2Σ_S ∫Θvω_S",
+                    times(0.5, &sums.hinge),
+                ),
         ]
     }
 }

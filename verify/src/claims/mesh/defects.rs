@@ -1,4 +1,4 @@
-//! M01, M02, M03: the rates of the three sums, before any integration by parts.
+//! M01, M02: the rates of the sums over faces and hinges, before any integration by parts.
 
 use super::density::{FaceTerms, HingeTerms, Seen, div_div};
 use super::fields::{Regge, Three, metric, minus, moving, rates, times, values, variation};
@@ -12,7 +12,7 @@ use regge::lagrange::Lagrange;
 use regge::regge::ReggeSpace;
 
 /// The identities hold at every point: any rule will do.
-fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
+pub fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
     use Shape::{Alfeld, Cube, Sphere, Torus};
     let times = if quick { 1 } else { 4 };
     match dimension {
@@ -24,16 +24,18 @@ fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
 }
 
 /// g, σ, and the rates of the three sums.
-struct Moving<'s, const N: usize> {
+pub struct Moving<'s, const N: usize> {
     space: &'s Lagrange<'s, N>,
     rules: Rules,
     g: Regge<'s, f64, N>,
     sigma: Regge<'s, f64, N>,
-    rate: Three,
+    /// d/dt of the three sums of ⟨(Rω)_dist(g + tσ), v⟩.
+    pub rate: Three,
 }
 
 impl<'s, const N: usize> Moving<'s, N> {
-    fn new<K: Formulas>(
+    /// A random pair.
+    pub fn new<K: Formulas>(
         at: &Setting,
         draw: &mut Draw,
         regge: &'s ReggeSpace<'s, N>,
@@ -42,7 +44,9 @@ impl<'s, const N: usize> Moving<'s, N> {
         let (g, sigma) = (metric(regge, draw), variation(regge, draw));
         let rules = Rules::new::<N>(at.order);
         let moved = moving(&g, &sigma);
-        let rate = rates(&distributional_curvature_with::<K, Dual64, N, _>(&moved, space, &rules));
+        let rate = rates(&distributional_curvature_with::<K, Dual64, N, _>(
+            &moved, space, &rules,
+        ));
         Self {
             space,
             rules,
@@ -53,22 +57,37 @@ impl<'s, const N: usize> Moving<'s, N> {
     }
 
     /// Σ̊_F ∫ ⟦q⟧ v ω_F; with the sign of the second side flipped if it is to be a difference.
-    fn faces<K: Formulas>(&self, second: f64, q: impl Fn(&FaceTerms) -> f64 + Sync) -> Vec<f64> {
+    pub fn faces<K: Formulas>(
+        &self,
+        second: f64,
+        q: impl Fn(&FaceTerms) -> f64 + Sync,
+    ) -> Vec<f64> {
         let rule = &self.rules.face;
         let (g, sigma) = (
             Seen::<f64, N, _>::new(&self.g, N - 1, rule),
             Seen::<f64, N, _>::new(&self.sigma, N - 1, rule),
         );
         let mesh = self.space.mesh();
-        integrate(self.space, N - 1, rule, mesh.interior_faces(), |face, side, p| {
-            let terms = FaceTerms::new::<K, N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
-            let sign = if mesh.first_side(N - 1, face) == side { 1.0 } else { second };
-            sign * q(&terms)
-        })
+        integrate(
+            self.space,
+            N - 1,
+            rule,
+            mesh.interior_faces(),
+            |face, side, p| {
+                let terms =
+                    FaceTerms::new::<K, N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
+                let sign = if mesh.first_side(N - 1, face) == side {
+                    1.0
+                } else {
+                    second
+                };
+                sign * q(&terms)
+            },
+        )
     }
 
     /// Σ̊_S ∫ Σ_F ⟦σ(n,τ)⟧ v ω_S.
-    fn hinges<K: Formulas>(&self) -> Vec<f64> {
+    pub fn hinges<K: Formulas>(&self) -> Vec<f64> {
         let rule = &self.rules.hinge;
         let (g, sigma) = (
             Seen::<f64, N, _>::new(&self.g, N - 2, rule),
@@ -76,12 +95,13 @@ impl<'s, const N: usize> Moving<'s, N> {
         );
         let hinges = self.space.mesh().interior_hinges();
         integrate(self.space, N - 2, rule, hinges, |_, side, p| {
-            HingeTerms::new::<K, N>(&g.value(side, p), &sigma.value(side, p), side.place).normal_conormal
+            HingeTerms::new::<K, N>(&g.value(side, p), &sigma.value(side, p), side.place)
+                .normal_conormal
         })
     }
 
     /// Σ_T ∫ (div div 𝕊σ) v ω.
-    fn cells<K: Formulas>(&self) -> Vec<f64> {
+    pub fn cells<K: Formulas>(&self) -> Vec<f64> {
         let rule = &self.rules.element;
         let (g, sigma) = (
             Seen::<f64, N, _>::new(&self.g, N, rule),
@@ -94,8 +114,13 @@ impl<'s, const N: usize> Moving<'s, N> {
     }
 
     /// a_h(g; σ, v).
-    fn a<K: Formulas>(&self) -> Three {
-        values(a_h_with::<K, f64, N, _, _>(&self.g, &self.sigma, self.space, &self.rules))
+    pub fn a<K: Formulas>(&self) -> Three {
+        values(a_h_with::<K, f64, N, _, _>(
+            &self.g,
+            &self.sigma,
+            self.space,
+            &self.rules,
+        ))
     }
 }
 
@@ -120,43 +145,62 @@ impl OnMesh for M01 {
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (ReggeSpace::new(&mesh, at.degree), Lagrange::new(&mesh, at.test));
+        let (regge, space) = (
+            ReggeSpace::new(&mesh, at.degree),
+            Lagrange::new(&mesh, at.test),
+        );
         let m = Moving::<N>::new::<K>(at, draw, &regge, &space);
-        let jump = |q: fn(&FaceTerms) -> f64| minus(&m.faces::<K>(1.0, q));
-        let flat = at.degree == 0;
-        vec![
-            Equation::new("2 d/dt Σ̊_F ∫⟦H⟧vω_F")
-                .left("2 d/dt ∫⟦H⟧vω_F", m.rate.f.clone())
-                .vanishes(flat, FLAT)
-                .right("−∫⟦⟨II‾,σ⟩⟧vω_F", jump(|q| q.second_form))
-                .vanishes(flat || N == 2, "II‾ = 0 when N = 2, or g is constant on cells")
-                .right("−∫⟦(div 𝕊σ)(n)⟧vω_F", jump(|q| q.div_s))
-                .vanishes(flat, FLAT)
-                .right("−∫⟦div_F(σ(n,·))⟧vω_F", jump(|q| q.div_f))
-                .vanishes(flat, FLAT)
-                .right("∫⟦Hσ(n,n)⟧vω_F", m.faces::<K>(1.0, |q| q.h_nn))
-                .vanishes(flat, FLAT)
-                .magnitude(m.faces::<K>(1.0, |q| q.s_nn))
-                .forge("II for II‾", "−∫⟦⟨II‾,σ⟩⟧vω_F", jump(|q| q.plain_second_form))
-                .vacuous(flat, FLAT)
-                .forge("div for div 𝕊", "−∫⟦(div 𝕊σ)(n)⟧vω_F", jump(|q| q.div))
-                .vacuous(flat, FLAT)
-                .forge(
-                    "jump as a difference",
-                    "−∫⟦(div 𝕊σ)(n)⟧vω_F",
-                    minus(&m.faces::<K>(-1.0, |q| q.div_s)),
-                )
-                .vacuous(flat, FLAT)
-                .forge(
-                    "one outward normal flipped",
-                    "−∫⟦div_F(σ(n,·))⟧vω_F",
-                    minus(&m.faces::<K>(-1.0, |q| q.div_f)),
-                )
-                .vacuous(flat, FLAT)
-                .forge("the factor 2 dropped", "2 d/dt ∫⟦H⟧vω_F", times(0.5, &m.rate.f))
-                .vacuous(flat, FLAT),
-        ]
+        vec![jump_forgeries::<K, N>(
+            jump_terms::<K, N>(&m, at.degree == 0),
+            &m,
+            at.degree == 0,
+        )]
     }
+}
+
+const II: &str = "−∫⟦⟨II‾,σ⟩⟧vω_F";
+const DIV_S: &str = "−∫⟦(div 𝕊σ)(n)⟧vω_F";
+const DIV_F: &str = "−∫⟦div_F(σ(n,·))⟧vω_F";
+const RATE: &str = "2 d/dt ∫⟦H⟧vω_F";
+
+fn jump_terms<K: Formulas, const N: usize>(m: &Moving<'_, N>, flat: bool) -> Equation<f64> {
+    let jump = |q: fn(&FaceTerms) -> f64| minus(&m.faces::<K>(1.0, q));
+    Equation::new("2 d/dt Σ̊_F ∫⟦H⟧vω_F")
+        .left(RATE, m.rate.f.clone())
+        .vanishes(flat, FLAT)
+        .right(II, jump(|q| q.second_form))
+        .vanishes(
+            flat || N == 2,
+            "II‾ = 0 when N = 2, or g is constant on cells",
+        )
+        .right(DIV_S, jump(|q| q.div_s))
+        .vanishes(flat, FLAT)
+        .right(DIV_F, jump(|q| q.div_f))
+        .vanishes(flat, FLAT)
+        .right("∫⟦Hσ(n,n)⟧vω_F", m.faces::<K>(1.0, |q| q.h_nn))
+        .vanishes(flat, FLAT)
+        .magnitude(m.faces::<K>(1.0, |q| q.s_nn))
+}
+
+fn jump_forgeries<K: Formulas, const N: usize>(
+    equation: Equation<f64>,
+    m: &Moving<'_, N>,
+    flat: bool,
+) -> Equation<f64> {
+    let jump = |q: fn(&FaceTerms) -> f64| minus(&m.faces::<K>(1.0, q));
+    let difference = |q: fn(&FaceTerms) -> f64| minus(&m.faces::<K>(-1.0, q));
+    let forged = [
+        ("II for II‾", II, jump(|q| q.plain_second_form)),
+        ("div for div 𝕊", DIV_S, jump(|q| q.div)),
+        ("jump as a difference", DIV_S, difference(|q| q.div_s)),
+        ("one outward normal flipped", DIV_F, difference(|q| q.div_f)),
+        ("the factor 2 dropped", RATE, times(0.5, &m.rate.f)),
+    ];
+    forged
+        .into_iter()
+        .fold(equation, |equation, (name, term, value)| {
+            equation.forge(name, term, value).vacuous(flat, FLAT)
+        })
 }
 
 /// ∂_t(Θ_S ω_S).
@@ -180,7 +224,10 @@ impl OnMesh for M02 {
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (ReggeSpace::new(&mesh, at.degree), Lagrange::new(&mesh, at.test));
+        let (regge, space) = (
+            ReggeSpace::new(&mesh, at.degree),
+            Lagrange::new(&mesh, at.test),
+        );
         let m = Moving::<N>::new::<K>(at, draw, &regge, &space);
         let turned = m.hinges::<K>();
         vec![
@@ -190,62 +237,11 @@ impl OnMesh for M02 {
                 .right("∫Θ Tr(σ|_S)vω_S", minus(&m.a::<K>().s))
                 .vanishes(N == 2, POINTS)
                 .forge("the printed sign of τ", "−∫Σ_F⟦σ(n,τ)⟧vω_S", turned)
-                .forge("the factor 2 dropped", "2 d/dt ∫Θvω_S", times(0.5, &m.rate.s)),
+                .forge(
+                    "the factor 2 dropped",
+                    "2 d/dt ∫Θvω_S",
+                    times(0.5, &m.rate.s),
+                ),
         ]
-    }
-}
-
-/// The six-term formula.
-pub struct M03;
-
-impl OnMesh for M03 {
-    const RECORD: Record = Record {
-        label: "M03",
-        paper: &["distcurvdot0", "intcurvdot"],
-        title: "The rate of the distributional curvature, before integrating by parts",
-        statement: r"\frac{d}{dt}\langle (R\omega)_{\rm dist}(g(t)),v\rangle = \sum_T\int_T(\operatorname{div}\operatorname{div}
-            \mathbb{S}\sigma)v\omega - \mathring{\sum_F}\int_F[\![(\operatorname{div}\mathbb{S}\sigma)(n) +
-            \operatorname{div}_F(\sigma(n,\cdot)) - H\sigma(n,n)]\!]v\omega_F - \mathring{\sum_S}\int_S\sum_{F\supset S}
-            [\![\sigma(n,\tau)]\!]_F v\omega_S - a_h(g;\sigma,v)",
-        sides: "Left: the functional over dual numbers. Right: covariant derivatives of σ, and a_h, at t = 0. The same rule \
-            on both sides: no quadrature error. The sign of the third sum is corrected.",
-    };
-    const JUDGEMENT: Judgement = ROUNDING;
-
-    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        pointwise(dimension, quick)
-    }
-
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (ReggeSpace::new(&mesh, at.degree), Lagrange::new(&mesh, at.test));
-        let m = Moving::<N>::new::<K>(at, draw, &regge, &space);
-        let (a, cells, turned) = (m.a::<K>(), m.cells::<K>(), m.hinges::<K>());
-        let flux = minus(&m.faces::<K>(1.0, FaceTerms::flux));
-        let (flat, surface) = (at.degree == 0, N == 2);
-        let all = |x: &Three| -> Vec<f64> { (0..x.t.len()).map(|i| x.t[i] + x.f[i] + x.s[i]).collect() };
-        let on_cells = Equation::new("on cells")
-            .left("d/dt ∫Rvω", m.rate.t.clone())
-            .vanishes(flat, FLAT)
-            .right("∫(div div 𝕊σ)vω", cells.clone())
-            .vanishes(flat, FLAT)
-            .right("−∫⟨G,σ⟩vω", minus(&a.t))
-            .vanishes(flat || surface, "G = 0 when N = 2, or g is constant on cells")
-            .magnitude(turned.clone());
-        let whole = Equation::new("all")
-            .left("d/dt⟨(Rω)_dist,v⟩", all(&m.rate))
-            .right("Σ_T ∫(div div 𝕊σ)vω", cells)
-            .vanishes(flat, FLAT)
-            .right("−Σ̊_F ∫⟦(div 𝕊σ)(n) + div_F(σ(n,·)) − Hσ(n,n)⟧vω_F", flux)
-            .vanishes(flat, FLAT)
-            .right("−Σ̊_S ∫Σ_F⟦σ(n,τ)⟧vω_S", minus(&turned))
-            .right("−Σ_T ∫⟨G,σ⟩vω", minus(&a.t))
-            .vanishes(flat || surface, "G = 0 when N = 2, or g is constant on cells")
-            .right("−Σ̊_F ∫⟨⟦II‾⟧,σ⟩vω_F", minus(&a.f))
-            .vanishes(flat || surface, "II‾ = 0 when N = 2, or g is constant on cells")
-            .right("Σ̊_S ∫Θ Tr(σ|_S)vω_S", minus(&a.s))
-            .vanishes(surface, POINTS)
-            .forge("the printed sign of τ", "−Σ̊_S ∫Σ_F⟦σ(n,τ)⟧vω_S", turned);
-        vec![on_cells, whole]
     }
 }

@@ -23,9 +23,7 @@ pub struct Seen<'a, T: Real, const N: usize, G: TensorField<T, N>> {
 /// The points of a rule on the k-simplices of an N-simplex, by place.
 pub fn points_of<const N: usize>(k: usize, rule: &Rule) -> Vec<Points> {
     let on = subsets(N + 1, k + 1);
-    on.iter()
-        .map(|on| rule.points().embed(on, N + 1))
-        .collect()
+    on.iter().map(|on| rule.points().embed(on, N + 1)).collect()
 }
 
 impl<'a, T: Real, const N: usize, G: TensorField<T, N>> Seen<'a, T, N, G> {
@@ -152,9 +150,16 @@ pub struct HingeTerms<T> {
 
 impl<T: Real> HingeTerms<T> {
     /// On the hinge at this place of the cell.
-    pub fn new<K: Formulas, const N: usize>(g: &Mat<T, N>, sigma: &Mat<T, N>, place: usize) -> Self {
+    pub fn new<K: Formulas, const N: usize>(
+        g: &Mat<T, N>,
+        sigma: &Mat<T, N>,
+        place: usize,
+    ) -> Self {
         let (inverse, det) = inverse_and_det(g);
-        let nu: Vec<Vector<T, N>> = opposite::<N>(N - 2, place).into_iter().map(outward).collect();
+        let nu: Vec<Vector<T, N>> = opposite::<N>(N - 2, place)
+            .into_iter()
+            .map(outward)
+            .collect();
         let hinge = Hinge::new(&inverse, [&nu[0], &nu[1]]);
         let (sin, cos) = K::dihedral(&hinge);
         let omega = hinge.omega_s(det);

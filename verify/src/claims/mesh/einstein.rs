@@ -54,7 +54,16 @@ impl OnMesh for M07 {
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         if dimension == 2 {
-            grid(&[Shape::Alfeld, Shape::Cube(2), Shape::Torus(3), Shape::Sphere], &[4, 4, 4], if quick { 1 } else { 6 })
+            grid(
+                &[
+                    Shape::Alfeld,
+                    Shape::Cube(2),
+                    Shape::Torus(3),
+                    Shape::Sphere,
+                ],
+                &[4, 4, 4],
+                if quick { 1 } else { 6 },
+            )
         } else {
             Vec::new()
         }
@@ -67,19 +76,26 @@ impl OnMesh for M07 {
         let space = Lagrange::new(&mesh, at.test);
         let rules = Rules::new::<N>(at.order);
         let a = values(a_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules));
-        let plain = a_h_with::<super::fields::PlainSecondForm, f64, N, _, _>(&g, &sigma, &space, &rules);
+        let plain =
+            a_h_with::<super::fields::PlainSecondForm, f64, N, _, _>(&g, &sigma, &space, &rules);
         let flat = at.degree == 0;
         // R and Θ of size 1 times σ of size 1: what cancels.
         let size = 1.0;
         vec![
-            Equation::new("∫⟨G,σ⟩vω").left("Σ_T", a.t).vanishes(true, "G = 0").magnitude(size),
+            Equation::new("∫⟨G,σ⟩vω")
+                .left("Σ_T", a.t)
+                .vanishes(true, "G = 0")
+                .magnitude(size),
             Equation::new("∫⟨⟦II‾⟧,σ⟩vω_F")
                 .left("Σ_F", a.f)
                 .vanishes(true, "II‾ = II − Hg = 0 on a curve")
                 .magnitude(size)
                 .forge("II for II‾", "Σ_F", plain.face)
                 .vacuous(flat, FLAT),
-            Equation::new("∫Θ Tr(σ|_S)v").left("Σ_S", a.s).vanishes(true, POINTS).magnitude(size),
+            Equation::new("∫Θ Tr(σ|_S)v")
+                .left("Σ_S", a.s)
+                .vanishes(true, POINTS)
+                .magnitude(size),
         ]
     }
 }
@@ -115,13 +131,19 @@ impl OnMesh for M10 {
                 *c = 0.0;
             }
         }
-        let rate = distributional_curvature_with::<K, Dual64, N, _>(&moving(&g, &sigma), &space, &rules);
+        let rate =
+            distributional_curvature_with::<K, Dual64, N, _>(&moving(&g, &sigma), &space, &rules);
         let paired = |sum: Vec<f64>| -> f64 { sum.iter().zip(&v).map(|(s, c)| s * c).sum() };
         let whole = |x: Three| paired(x.t) + paired(x.f) + paired(x.s);
         let b = values(b_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules));
-        let product = Product { space: &space, v: &v, sigma: &sigma };
+        let product = Product {
+            space: &space,
+            v: &v,
+            sigma: &sigma,
+        };
         let hats = Lagrange::new(&mesh, 1);
-        let einstein = a_h_with::<K, f64, N, _, _>(&g, &product, &hats, &rules).pair(&vec![1.0; hats.len()]);
+        let einstein =
+            a_h_with::<K, f64, N, _, _>(&g, &product, &hats, &rules).pair(&vec![1.0; hats.len()]);
         vec![
             Equation::new("by the Einstein tensor")
                 .left("d/dt⟨(Rω)_dist,v⟩", whole(rates(&rate)))
@@ -162,7 +184,9 @@ impl OnMesh for M19 {
         let space = Lagrange::new(&mesh, at.test);
         let rules = Rules::new::<N>(at.order);
         let a = values(a_h_with::<K, f64, N, _, _>(&g, &g, &space, &rules));
-        let r = values(distributional_curvature_with::<K, f64, N, _>(&g, &space, &rules));
+        let r = values(distributional_curvature_with::<K, f64, N, _>(
+            &g, &space, &rules,
+        ));
         let (flat, surface) = (at.degree == 0, N == 2);
         let size = r.s.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let side = |name, left: &[f64], right: &[f64], none: bool| {
@@ -172,7 +196,11 @@ impl OnMesh for M19 {
                 .right("−(N−2)/2 ⟨(Rω),v⟩", times(-0.5 * (N as f64 - 2.0), right))
                 .vanishes(none || surface, "N − 2 = 0, or g is constant on cells")
                 .magnitude(size)
-                .forge("N − 1 for N − 2", "−(N−2)/2 ⟨(Rω),v⟩", times(-0.5 * (N as f64 - 1.0), right))
+                .forge(
+                    "N − 1 for N − 2",
+                    "−(N−2)/2 ⟨(Rω),v⟩",
+                    times(-0.5 * (N as f64 - 1.0), right),
+                )
                 .vacuous(none, FLAT)
         };
         vec![

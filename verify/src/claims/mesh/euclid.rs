@@ -83,7 +83,11 @@ pub fn hinges<T: Real, const N: usize>(g: &Regge<'_, T, N>) -> Vec<FlatHinge<T>>
             defect -= dihedral(&lengths, on, [others[0], others[1]]);
             size = volume(&lengths, on);
         }
-        all.push(FlatHinge { hinge, defect, volume: size });
+        all.push(FlatHinge {
+            hinge,
+            defect,
+            volume: size,
+        });
     }
     all
 }

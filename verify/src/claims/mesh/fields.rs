@@ -208,5 +208,8 @@ pub fn lifted<'s, T: Real, const N: usize>(g: &Regge<'s, f64, N>) -> Regge<'s, T
 where
     f64: Lift<T>,
 {
-    function(g.space(), g.coefficients().iter().map(|c| c.lift()).collect())
+    function(
+        g.space(),
+        g.coefficients().iter().map(|c| c.lift()).collect(),
+    )
 }

@@ -16,7 +16,9 @@ use regge::simplex::{Bernstein, Points};
 use regge::smooth::Smooth;
 
 fn size(sums: &[&[f64]]) -> f64 {
-    sums.iter().flat_map(|s| s.iter()).fold(0.0, |m: f64, x| m.max(x.abs()))
+    sums.iter()
+        .flat_map(|s| s.iter())
+        .fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
 /// A smooth metric has no jumps.
@@ -34,7 +36,11 @@ impl OnMesh for D10 {
     const JUDGEMENT: Judgement = ROUNDING;
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        let shapes: &[Shape] = if quick { &[Shape::Alfeld] } else { &[Shape::Alfeld, Shape::Cube(2)] };
+        let shapes: &[Shape] = if quick {
+            &[Shape::Alfeld]
+        } else {
+            &[Shape::Alfeld, Shape::Cube(2)]
+        };
         match dimension {
             2 | 3 => grid(shapes, &[3, 4], 1),
             4 => grid(&shapes[..1], &[3], 1),
@@ -48,8 +54,12 @@ impl OnMesh for D10 {
         let rules = Rules::new::<N>(at.order);
         let mut all = Vec::new();
         for formula in [Metric::Trig, Metric::GraphQuartic, Metric::Sphere] {
-            let Ok(g) = Smooth::new(&mesh, formula) else { continue };
-            let sums = values(distributional_curvature_with::<K, f64, N, _>(&g, &space, &rules));
+            let Ok(g) = Smooth::new(&mesh, formula) else {
+                continue;
+            };
+            let sums = values(distributional_curvature_with::<K, f64, N, _>(
+                &g, &space, &rules,
+            ));
             let a = values(a_h_with::<K, f64, N, _, _>(&g, &g, &space, &rules));
             let smooth = smooth_curvature::<f64, N, _>(&g, &space, &rules.element);
             let large = size(&[&smooth]);
@@ -124,7 +134,9 @@ impl<const N: usize> TensorField<f64, N> for PullBack<'_, N> {
         self.space.cell_dofs(cell).map(|d| self.phi[d]).collect()
     }
     fn jet2(&self, local: &Self::Local, table: &Self::Table, q: usize) -> Mat<Jet2<f64, N>, N> {
-        let d = |m: usize| -> Vector<f64, N> { local.iter().zip(&table[q]).map(|(c, b)| c * b.d[m]).sum() };
+        let d = |m: usize| -> Vector<f64, N> {
+            local.iter().zip(&table[q]).map(|(c, b)| c * b.d[m]).sum()
+        };
         symmetric(|m, n| value_only(d(m).dot(&d(n))))
     }
 }
@@ -163,15 +175,32 @@ impl OnMesh for M16 {
         let regge = ReggeSpace::new(&mesh, 2 * (at.degree - 1));
         let canonical = Canonical::new(&regge);
         // It is a Regge metric of this degree: the canonical interpolant changes nothing.
-        let g = super::fields::function(&regge, canonical.solve(&canonical.evaluate(&field, 4 * at.degree)));
+        let g = super::fields::function(
+            &regge,
+            canonical.solve(&canonical.evaluate(&field, 4 * at.degree)),
+        );
         let space = Lagrange::new(&mesh, at.test);
         let rules = Rules::new::<N>(at.order);
-        let sums = values(distributional_curvature_with::<K, f64, N, _>(&g, &space, &rules));
-        let a = values(a_h_with::<K, f64, N, _, _>(&g, &metric(&regge, draw), &space, &rules));
+        let sums = values(distributional_curvature_with::<K, f64, N, _>(
+            &g, &space, &rules,
+        ));
+        let a = values(a_h_with::<K, f64, N, _, _>(
+            &g,
+            &metric(&regge, draw),
+            &space,
+            &rules,
+        ));
         // Angles of size 2π around hinges of size 1, and as much for H.
-        let one = |name, sum: Vec<f64>| Equation::new(name).left("sum", sum).vanishes(true, "it is the claim").magnitude(1.0);
+        let one = |name, sum: Vec<f64>| {
+            Equation::new(name)
+                .left("sum", sum)
+                .vanishes(true, "it is the claim")
+                .magnitude(1.0)
+        };
         let other = metric(&regge, draw);
-        let curved = values(distributional_curvature_with::<K, f64, N, _>(&other, &space, &rules));
+        let curved = values(distributional_curvature_with::<K, f64, N, _>(
+            &other, &space, &rules,
+        ));
         vec![
             one("Σ_T ∫Rvω", sums.t),
             one("Σ̊_F ∫⟦H⟧vω_F", sums.f),

@@ -29,7 +29,9 @@ struct Path<'a, K, G, H, const N: usize> {
     formulas: std::marker::PhantomData<K>,
 }
 
-impl<K: Formulas, G: TensorField<f64, N>, H: TensorField<f64, N>, const N: usize> Path<'_, K, G, H, N> {
+impl<K: Formulas, G: TensorField<f64, N>, H: TensorField<f64, N>, const N: usize>
+    Path<'_, K, G, H, N>
+{
     fn integral(&self, points: usize) -> [Vec<f64>; 2] {
         let (from, to) = self.ends;
         let sigma = Combination::new(-1.0, from, 1.0, to);
@@ -93,7 +95,10 @@ impl M06 {
         let all = [
             ("canonical", Interpolant::Canonical { order: 16 }),
             ("averaged", Interpolant::Average(projection())),
-            ("averaged, hierarchical", Interpolant::AverageHierarchical(projection())),
+            (
+                "averaged, hierarchical",
+                Interpolant::AverageHierarchical(projection()),
+            ),
         ];
         let mut found: Vec<_> = (all.iter())
             .filter_map(|(name, i)| Some((*name, i.apply(space, g).ok()?)))
@@ -122,7 +127,11 @@ impl OnMesh for M06 {
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         let degrees = if quick { 2 } else { 3 };
-        let of = |shape, order| (0..degrees).map(move |r| Setting::new(shape, r, order)).collect();
+        let of = |shape, order| {
+            (0..degrees)
+                .map(move |r| Setting::new(shape, r, order))
+                .collect()
+        };
         match dimension {
             2 => of(Shape::Cube(2), 20),
             3 => of(Shape::Alfeld, 22),
@@ -140,7 +149,10 @@ impl OnMesh for M06 {
         let rules = Rules::new::<N>(at.order);
         let smooth = smooth_curvature::<f64, N, _>(&g, &space, &rules.element);
         let found = Self::interpolants(&regge, &g);
-        assert!(found.len() >= 3 + usize::from(at.degree == 0), "every interpolant exists");
+        assert!(
+            found.len() >= 3 + usize::from(at.degree == 0),
+            "every interpolant exists"
+        );
         let one = |(name, g_h): &(&'static str, Regge<'_, f64, N>)| {
             let path = Path::<K, _, _, N> {
                 ends: (&g, g_h),
@@ -168,7 +180,8 @@ impl OnMesh for Between {
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         // Two ends: twice as far from a flat metric.
         let orders = orders(dimension).map(|o| if o > 2 { o + 4 } else { o });
-        let all = |shapes: &[Shape]| super::setting::grid(shapes, &orders, if quick { 1 } else { 2 });
+        let all =
+            |shapes: &[Shape]| super::setting::grid(shapes, &orders, if quick { 1 } else { 2 });
         match dimension {
             2 => all(&[Shape::Alfeld, Shape::Torus(3), Shape::Sphere]),
             3 => {
@@ -195,6 +208,10 @@ impl OnMesh for Between {
             rules: &rules,
             formulas: std::marker::PhantomData,
         };
-        vec![path.equation("between two Regge metrics", curvature(&to), curvature(&from))]
+        vec![path.equation(
+            "between two Regge metrics",
+            curvature(&to),
+            curvature(&from),
+        )]
     }
 }

@@ -3,8 +3,6 @@
 //! Each file holds one claim or one family. [`setting`] has the meshes and the step from a claim to an entry of the
 //! run, [`fields`] the random Regge metrics.
 
-pub mod fields;
-pub mod setting;
 mod bianchi;
 mod closed;
 mod constant;
@@ -12,12 +10,17 @@ mod defects;
 mod density;
 mod einstein;
 mod euclid;
+pub mod fields;
 mod gauge;
 mod homotopy;
+mod pair;
 mod parts;
+mod rates;
 mod references;
+pub mod setting;
 mod simplex;
 mod spaces;
+mod stokes;
 mod tables;
 mod traces;
 mod variation;
@@ -48,7 +51,7 @@ pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<traces::D14, K, N>(all);
     add::<defects::M01, K, N>(all);
     add::<defects::M02, K, N>(all);
-    add::<defects::M03, K, N>(all);
+    add::<rates::M03, K, N>(all);
     add::<parts::M04, K, N>(all);
     add::<variation::M05, K, N>(all);
     add::<homotopy::Between, K, N>(all);
@@ -70,7 +73,7 @@ pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<spaces::N03, K, N>(all);
     add::<spaces::N04, K, N>(all);
     add::<tables::N05, K, N>(all);
-    add::<simplex::T01, K, N>(all);
+    add::<stokes::T01, K, N>(all);
     add::<parts::T03, K, N>(all);
     add::<parts::T04, K, N>(all);
 }

@@ -29,17 +29,21 @@ impl OnMesh for D11 {
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         let cases = oracle::numbers(dimension).into_iter();
         let kept = cases.take(if quick { 3 } else { 5 });
-        kept.map(|i| Setting::new(Shape::Oracle(i), 0, 20)).collect()
+        kept.map(|i| Setting::new(Shape::Oracle(i), 0, 20))
+            .collect()
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
-        let Shape::Oracle(number) = at.shape else { return Vec::new() };
+        let Shape::Oracle(number) = at.shape else {
+            return Vec::new();
+        };
         let case = oracle::case(number);
         let mesh = case.mesh::<N>();
         let space = ReggeSpace::new(&mesh, case.degree);
         let hats = Lagrange::new(&mesh, 1);
         let g = case.metric(&space);
-        let sums = distributional_curvature_with::<K, f64, N, _>(&g, &hats, &Rules::new::<N>(at.order));
+        let sums =
+            distributional_curvature_with::<K, f64, N, _>(&g, &hats, &Rules::new::<N>(at.order));
         let known = &case.curvature;
         let all = known.element.iter().chain(&known.face).chain(&known.angle);
         let largest = all.fold(0.0, |m: f64, x| m.max(x.abs()));

@@ -16,7 +16,11 @@ use regge::smooth::Smooth;
 pub struct I29;
 
 /// For every degree of freedom the mean over the cells that share it of its value on the mesh taken apart.
-fn averaged<const N: usize>(space: &ReggeSpace<'_, N>, loose: &ReggeSpace<'_, N>, values: &[f64]) -> Vec<f64> {
+fn averaged<const N: usize>(
+    space: &ReggeSpace<'_, N>,
+    loose: &ReggeSpace<'_, N>,
+    values: &[f64],
+) -> Vec<f64> {
     let (mut sum, mut shares) = (vec![0.0; space.len()], vec![0.0; space.len()]);
     for cell in 0..space.mesh().cells() {
         for k in 1..=N {
@@ -47,7 +51,11 @@ impl OnMesh for I29 {
     const JUDGEMENT: Judgement = Judgement::Rounding { tolerance: 1e-11 };
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        let shapes: &[Shape] = if quick { &[Shape::Alfeld] } else { &[Shape::Alfeld, Shape::Cube(2)] };
+        let shapes: &[Shape] = if quick {
+            &[Shape::Alfeld]
+        } else {
+            &[Shape::Alfeld, Shape::Cube(2)]
+        };
         match dimension {
             2 | 3 => grid(shapes, &[8, 8, 8], 1),
             _ => Vec::new(),
@@ -68,33 +76,42 @@ impl OnMesh for I29 {
             Equation::new("duality")
                 .left("ℓ_i(Σc_jψ_j)", canonical.evaluate::<f64, _>(&psi, exact))
                 .right("c_i", c),
-            Equation::new("projector").left("J_hσ", again).right("σ", regge.coefficients().to_vec()),
+            Equation::new("projector")
+                .left("J_hσ", again)
+                .right("σ", regge.coefficients().to_vec()),
         ];
-        let apart = torn(&mesh);
-        let loose = ReggeSpace::new(&apart, at.degree);
-        let (Ok(g), Ok(on_apart)) = (Smooth::new(&mesh, Metric::Trig), Smooth::new(&apart, Metric::Trig)) else {
-            return all;
-        };
-        let average = Interpolant::Average(Projection::exact::<N>(at.degree));
-        // Nothing is shared on the mesh without connections: the average is the projection itself.
-        let (Ok(g_h), Ok(projected)) = (average.apply(&space, &g), average.apply(&loose, &on_apart)) else {
-            return all;
-        };
-        let (far, by_cell) = (24, Canonical::new(&loose));
-        let difference: Vec<f64> = (by_cell.evaluate::<f64, _>(&projected, far).iter())
-            .zip(by_cell.evaluate::<f64, _>(&on_apart, far))
-            .map(|(p, g)| p - g)
-            .collect();
-        let first_cell: Vec<f64> = canonical.evaluate::<f64, _>(&g_h, far);
-        let interpolated = canonical.evaluate::<f64, _>(&g, far);
-        all.push(
-            Equation::new("average")
-                .left("ℓ_i(g_h)", first_cell)
-                .right("ℓ_i(J_hg)", interpolated)
-                .right("mean ℓ_i(ḡ_h−g)", averaged(&space, &loose, &difference)),
-        );
+        all.extend(average(&space, &canonical));
         all
     }
+}
+
+/// ℓ_i(g_h) of the averaged interpolant g_h of a smooth metric. Nothing if that is not positive, which a smooth metric
+/// on these meshes is.
+fn average<const N: usize>(
+    space: &ReggeSpace<'_, N>,
+    canonical: &Canonical<'_, N>,
+) -> Option<Equation<f64>> {
+    let apart = torn(space.mesh());
+    let loose = ReggeSpace::new(&apart, space.degree());
+    let g = Smooth::new(space.mesh(), Metric::Trig).ok()?;
+    let on_apart = Smooth::new(&apart, Metric::Trig).ok()?;
+    let interpolant = Interpolant::Average(Projection::exact::<N>(space.degree()));
+    let g_h = interpolant.apply(space, &g).ok()?;
+    // Nothing is shared on the mesh without connections: the average is the projection itself.
+    let projected = interpolant.apply(&loose, &on_apart).ok()?;
+    // Integrals over edges and faces of a smooth metric, to rounding.
+    let (order, by_cell) = (24, Canonical::new(&loose));
+    let of_projection: Vec<f64> = by_cell.evaluate(&projected, order);
+    let of_g: Vec<f64> = by_cell.evaluate(&on_apart, order);
+    let difference: Vec<f64> = (of_projection.iter().zip(of_g))
+        .map(|(p, g)| p - g)
+        .collect();
+    Some(
+        Equation::new("average")
+            .left("ℓ_i(g_h)", canonical.evaluate::<f64, _>(&g_h, order))
+            .right("ℓ_i(J_hg)", canonical.evaluate::<f64, _>(&g, order))
+            .right("mean ℓ_i(ḡ_h−g)", averaged(space, &loose, &difference)),
+    )
 }
 
 /// The paper's meshes.
@@ -115,33 +132,62 @@ impl OnMesh for N03 {
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         let levels = if quick { 3 } else { 4 };
         let of = |k: u32| Setting::new(Shape::Cube(1 << k), 0, 0);
-        if (2..=3).contains(&dimension) { (0..levels).map(of).collect() } else { Vec::new() }
+        if (2..=3).contains(&dimension) {
+            (0..levels).map(of).collect()
+        } else {
+            Vec::new()
+        }
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
-        let Shape::Cube(side) = at.shape else { return Vec::new() };
+        let Shape::Cube(side) = at.shape else {
+            return Vec::new();
+        };
         let k = side.trailing_zeros();
-        let Ok(mesh) = Mesh::<N>::cube(side) else { return Vec::new() };
-        let cells = if N == 2 { 2 * 4usize.pow(k) } else { 6 * 8usize.pow(k) };
+        let Ok(mesh) = Mesh::<N>::cube(side) else {
+            return Vec::new();
+        };
+        let cells = if N == 2 {
+            2 * 4usize.pow(k)
+        } else {
+            6 * 8usize.pow(k)
+        };
         let least = 2f64.powi(1 - k as i32);
         let edges = (0..mesh.count(1)).map(|e| {
             let v = mesh.vertices(1, e);
-            mesh.points().map_or(f64::NAN, |p| (p[v[0] as usize] - p[v[1] as usize]).norm())
+            mesh.points()
+                .map_or(f64::NAN, |p| (p[v[0] as usize] - p[v[1] as usize]).norm())
         });
         let h = (N as f64).sqrt() * least;
         // A quarter of a cell when N = 2, 0.153 of it when N = 3.
         let amplitude = h * 2f64.powf(-(2.0 * N as f64 + 1.0) / 2.0);
         let points = |m: Mesh<N>| -> Vec<f64> {
-            m.points().unwrap_or_default().iter().flatten().copied().collect()
+            m.points()
+                .unwrap_or_default()
+                .iter()
+                .flatten()
+                .copied()
+                .collect()
         };
-        let (Ok(paper), Ok(plain)) = (mesh.perturbed_as_in_paper(k, 5), mesh.perturbed(amplitude, 5)) else {
+        let (Ok(paper), Ok(plain)) = (
+            mesh.perturbed_as_in_paper(k, 5),
+            mesh.perturbed(amplitude, 5),
+        ) else {
             return Vec::new();
         };
         vec![
-            Equation::new("cells").left("|𝒯^N|", mesh.cells() as f64).right("N! 2^{Nk}", cells as f64),
-            Equation::new("h̃").left("max h_T", mesh.mesh_size()).right("√N 2^{1−k}", h),
-            Equation::new("shortest edge").left("min |e|", edges.fold(f64::INFINITY, f64::min)).right("2^{1−k}", least),
-            Equation::new("perturbation").left("as in the paper", points(paper)).right("by amplitude", points(plain)),
+            Equation::new("cells")
+                .left("|𝒯^N|", mesh.cells() as f64)
+                .right("N! 2^{Nk}", cells as f64),
+            Equation::new("h̃")
+                .left("max h_T", mesh.mesh_size())
+                .right("√N 2^{1−k}", h),
+            Equation::new("shortest edge")
+                .left("min |e|", edges.fold(f64::INFINITY, f64::min))
+                .right("2^{1−k}", least),
+            Equation::new("perturbation")
+                .left("as in the paper", points(paper))
+                .right("by amplitude", points(plain)),
         ]
     }
 }
@@ -163,22 +209,39 @@ impl OnMesh for N04 {
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         let levels = if quick { 3 } else { 4 };
         let one = |r: usize| (0..levels).map(move |k| Setting::new(Shape::Cube(1 << k), r, 0));
-        if (2..=3).contains(&dimension) { (0..3).flat_map(one).collect() } else { Vec::new() }
+        if (2..=3).contains(&dimension) {
+            (0..3).flat_map(one).collect()
+        } else {
+            Vec::new()
+        }
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
-        let Shape::Cube(side) = at.shape else { return Vec::new() };
-        let Ok(mesh) = Mesh::<N>::cube(side) else { return Vec::new() };
+        let Shape::Cube(side) = at.shape else {
+            return Vec::new();
+        };
+        let Ok(mesh) = Mesh::<N>::cube(side) else {
+            return Vec::new();
+        };
         let space = ReggeSpace::new(&mesh, at.degree);
         let plotted = SERIES.iter().find(|s| {
-            (s.dimension, s.degree, s.quantity, s.canonical) == (N, at.degree, Quantity::CurvatureError, false)
+            (s.dimension, s.degree, s.quantity, s.canonical)
+                == (N, at.degree, Quantity::CurvatureError, false)
         });
-        let expected = plotted.map_or(f64::NAN, |s| s.points[side.trailing_zeros() as usize].0 as f64);
+        let expected = plotted.map_or(f64::NAN, |s| {
+            s.points[side.trailing_zeros() as usize].0 as f64
+        });
         let (r, count) = (at.degree as f64, |k: usize| mesh.count(k) as f64);
         let (edge, face) = (r + 1.0, 1.5 * r * (r + 1.0));
-        let inner = if N == 3 { (r + 1.0) * r * (r - 1.0) * count(3) } else { 0.0 };
+        let inner = if N == 3 {
+            (r + 1.0) * r * (r - 1.0) * count(3)
+        } else {
+            0.0
+        };
         vec![
-            Equation::new("plotted").left("dim", space.len() as f64).right("ndof", expected),
+            Equation::new("plotted")
+                .left("dim", space.len() as f64)
+                .right("ndof", expected),
             Equation::new("formula")
                 .left("dim", space.len() as f64)
                 .right("(r+1)E", edge * count(1))

@@ -44,7 +44,11 @@ impl Table {
     fn equations(&self, degree: usize) -> Option<Vec<Equation<f64>>> {
         let (plot, column) = (self.series(degree)?, self.columns[degree]);
         let errors = column.iter().map(|c| number(c.0)).collect::<Vec<_>>();
-        let plotted = plot.points.iter().map(|p| four_digits(p.1)).collect::<Vec<_>>();
+        let plotted = plot
+            .points
+            .iter()
+            .map(|p| four_digits(p.1))
+            .collect::<Vec<_>>();
         let orders = column[1..].iter().map(|c| number(c.1)).collect::<Vec<_>>();
         let of = |k: usize| -> f64 {
             let at = |k: usize| (number(self.h[k]), plot.points[k].1);
@@ -52,8 +56,12 @@ impl Table {
         };
         let found = (1..column.len()).map(of).collect::<Vec<_>>();
         Some(vec![
-            Equation::new(self.label).left("printed errors", errors).right("plotted errors, rounded", plotted),
-            Equation::new("orders").left("printed orders", orders).right("orders of the plot, rounded", found),
+            Equation::new(self.label)
+                .left("printed errors", errors)
+                .right("plotted errors, rounded", plotted),
+            Equation::new("orders")
+                .left("printed orders", orders)
+                .right("orders of the plot, rounded", found),
         ])
     }
 }
@@ -72,12 +80,18 @@ impl OnMesh for N05 {
     /// One case for each degree.
     fn settings(dimension: usize, _: bool) -> Vec<Setting> {
         let of = |r: usize| Setting::new(Shape::Single, r, 0);
-        if (2..=3).contains(&dimension) { (0..3).map(of).collect() } else { Vec::new() }
+        if (2..=3).contains(&dimension) {
+            (0..3).map(of).collect()
+        } else {
+            Vec::new()
+        }
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let table = TABLES.iter().find(|t| t.dimension == N);
-        table.and_then(|t| t.equations(at.degree)).unwrap_or_default()
+        table
+            .and_then(|t| t.equations(at.degree))
+            .unwrap_or_default()
     }
 }
 
@@ -86,7 +100,10 @@ const TABLES: [Table; 2] = [
     Table {
         label: "tab:error_N2",
         dimension: 2,
-        h: &["2.828e-0", "1.534e-0", "8.584e-1", "4.609e-1", "2.417e-1", "1.251e-1", "6.260e-2", "3.198e-2"],
+        h: &[
+            "2.828e-0", "1.534e-0", "8.584e-1", "4.609e-1", "2.417e-1", "1.251e-1", "6.260e-2",
+            "3.198e-2",
+        ],
         columns: [
             &[
                 ("2.237e-1", ""),
@@ -123,7 +140,9 @@ const TABLES: [Table; 2] = [
     Table {
         label: "tab:error_N3",
         dimension: 3,
-        h: &["3.464e-0", "1.850e-0", "9.709e-1", "4.999e-1", "2.753e-1", "1.358e-1", "6.878e-2"],
+        h: &[
+            "3.464e-0", "1.850e-0", "9.709e-1", "4.999e-1", "2.753e-1", "1.358e-1", "6.878e-2",
+        ],
         columns: [
             &[
                 ("7.869e-2", ""),

@@ -1,7 +1,7 @@
 //! M20, D14: what is single-valued where cells meet.
 
 use super::density::{FaceTerms, HingeTerms, Seen};
-use super::fields::{metric, torn, variation};
+use super::fields::{Regge, metric, torn, variation};
 use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape, grid};
 use crate::claim::{Equation, Judgement, Record};
 use regge::field::TensorField;
@@ -89,37 +89,69 @@ impl OnMesh for M20 {
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let apart = torn(&mesh);
-        let (regge, loose) = (ReggeSpace::new(&mesh, at.degree), ReggeSpace::new(&apart, at.degree));
+        let regge = ReggeSpace::new(&mesh, at.degree);
+        let loose = ReggeSpace::new(&apart, at.degree);
         let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
         let (torn_g, torn_sigma) = (metric(&loose, draw), variation(&loose, draw));
-        let (rule, hinge_rule) = (Rule::new(N - 1, at.order), Rule::new(N - 2, at.order));
-        let faces = |q| on_faces::<K, N, _, _>(&mesh, &g, &sigma, &rule, q);
-        let [plus, minus] = faces(|q| q.s_nn);
-        let [trace, _] = faces(|q| -q.trace);
-        let [_, broken] = on_faces::<K, N, _, _>(&mesh, &g, &torn_sigma, &rule, |q| q.s_nn);
-        let plain = faces(|q| q.nn);
-        let [omega, omega_too] = faces(|q| q.omega);
-        let [_, omega_torn] = on_faces::<K, N, _, _>(&mesh, &torn_g, &sigma, &rule, |q| q.omega);
-        let [small, small_too] = on_hinges::<K, N, _>(&mesh, &g, &hinge_rule);
-        let [_, small_torn] = on_hinges::<K, N, _>(&mesh, &torn_g, &hinge_rule);
-        vec![
-            Equation::new("𝕊σ(n,n)")
-                .left("from T+", plus.clone())
-                .right("from T−", minus)
-                .forge("tt-continuity of σ broken", "from T−", broken)
-                .forge_terms("σ(n,n) for 𝕊σ(n,n)", ["from T+", "from T−"].into_iter().zip(plain).collect()),
-            Equation::new("−Tr(σ|_F)").left("𝕊σ(n,n)", plus).right("−Tr(σ|_F)", trace),
-            Equation::new("ω_F")
-                .left("from T+", omega)
-                .right("from T−", omega_too)
-                .forge("tt-continuity of g broken", "from T−", omega_torn),
-            Equation::new("ω_S")
-                .left("from the first cell", small)
-                .right("from the last cell", small_too)
-                .forge("tt-continuity of g broken", "from the last cell", small_torn)
-                .vacuous(N == 2, "ω_S = 1 when N = 2"),
-        ]
+        let mut all = reversed_traces::<K, N>(&mesh, &g, &sigma, &torn_sigma, at.order);
+        all.extend(measures::<K, N>(&mesh, [&g, &torn_g], &sigma, at.order));
+        all
     }
+}
+
+/// 𝕊σ(n,n) from both sides; σ and a σ without continuity.
+fn reversed_traces<K: Formulas, const N: usize>(
+    mesh: &Mesh<N>,
+    g: &Regge<'_, f64, N>,
+    sigma: &Regge<'_, f64, N>,
+    torn: &Regge<'_, f64, N>,
+    order: usize,
+) -> Vec<Equation<f64>> {
+    let rule = Rule::new(N - 1, order);
+    let faces = |q| on_faces::<K, N, _, _>(mesh, g, sigma, &rule, q);
+    let [plus, minus] = faces(|q| q.s_nn);
+    let [trace, _] = faces(|q| -q.trace);
+    let [_, broken] = on_faces::<K, N, _, _>(mesh, g, torn, &rule, |q| q.s_nn);
+    let plain = ["from T+", "from T−"].into_iter().zip(faces(|q| q.nn));
+    vec![
+        Equation::new("𝕊σ(n,n)")
+            .left("from T+", plus.clone())
+            .right("from T−", minus)
+            .forge("tt-continuity of σ broken", "from T−", broken)
+            .forge_terms("σ(n,n) for 𝕊σ(n,n)", plain.collect()),
+        Equation::new("−Tr(σ|_F)")
+            .left("𝕊σ(n,n)", plus)
+            .right("−Tr(σ|_F)", trace),
+    ]
+}
+
+/// ω_F and ω_S from both sides; g and a g without continuity.
+fn measures<K: Formulas, const N: usize>(
+    mesh: &Mesh<N>,
+    [g, torn]: [&Regge<'_, f64, N>; 2],
+    sigma: &Regge<'_, f64, N>,
+    order: usize,
+) -> Vec<Equation<f64>> {
+    let (rule, hinge_rule) = (Rule::new(N - 1, order), Rule::new(N - 2, order));
+    let faces = |g| on_faces::<K, N, _, _>(mesh, g, sigma, &rule, |q| q.omega);
+    let ([plus, minus], [_, broken]) = (faces(g), faces(torn));
+    let hinges = |g| on_hinges::<K, N, _>(mesh, g, &hinge_rule);
+    let ([first, last], [_, broken_last]) = (hinges(g), hinges(torn));
+    vec![
+        Equation::new("ω_F")
+            .left("from T+", plus)
+            .right("from T−", minus)
+            .forge("tt-continuity of g broken", "from T−", broken),
+        Equation::new("ω_S")
+            .left("from the first cell", first)
+            .right("from the last cell", last)
+            .forge(
+                "tt-continuity of g broken",
+                "from the last cell",
+                broken_last,
+            )
+            .vacuous(N == 2, "ω_S = 1 when N = 2"),
+    ]
 }
 
 /// Traces.
@@ -134,7 +166,10 @@ fn edge_values<const N: usize>(g: &Mat<f64, N>, on: &[usize]) -> Vec<f64> {
         let mut sum = 0.0;
         for i in 0..N {
             for j in 0..N {
-                let (ti, tj) = (coordinate(b, i) - coordinate(a, i), coordinate(b, j) - coordinate(a, j));
+                let (ti, tj) = (
+                    coordinate(b, i) - coordinate(a, i),
+                    coordinate(b, j) - coordinate(a, j),
+                );
                 sum += g[(i, j)] * ti * tj;
             }
         }
@@ -161,11 +196,18 @@ impl OnMesh for D14 {
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let apart = torn(&mesh);
-        let (regge, loose) = (ReggeSpace::new(&mesh, at.degree), ReggeSpace::new(&apart, at.degree));
+        let (regge, loose) = (
+            ReggeSpace::new(&mesh, at.degree),
+            ReggeSpace::new(&apart, at.degree),
+        );
         let (sigma, torn_sigma) = (variation(&regge, draw), variation(&loose, draw));
         let space = Lagrange::new(&mesh, 2);
         let v = draw.numbers(space.len());
-        let (mut field, mut broken, mut function) = (<[Vec<f64>; 2]>::default(), Vec::new(), <[Vec<f64>; 2]>::default());
+        let (mut field, mut broken, mut function) = (
+            <[Vec<f64>; 2]>::default(),
+            Vec::new(),
+            <[Vec<f64>; 2]>::default(),
+        );
         for k in 1..N {
             let (rule, places) = (Rule::new(k, at.order), subsets(N + 1, k + 1));
             let seen = Seen::<f64, N, _>::new(&sigma, k, &rule);
@@ -179,7 +221,11 @@ impl OnMesh for D14 {
                 .collect();
             let trace = both_sides(&mesh, k, &rule, |s, p| {
                 let row = tables[s.place][p].iter();
-                vec![row.zip(space.cell_dofs(s.cell)).map(|(b, d)| b * v[d]).sum()]
+                vec![
+                    row.zip(space.cell_dofs(s.cell))
+                        .map(|(b, d)| b * v[d])
+                        .sum(),
+                ]
             });
             broken.extend(torn_sides[1].iter().copied());
             for i in 0..2 {
@@ -193,7 +239,9 @@ impl OnMesh for D14 {
                 .left("from the first cell", first)
                 .right("from the last cell", last)
                 .forge("tt-continuity broken", "from the last cell", broken),
-            Equation::new("v|_D").left("from the first cell", v_first).right("from the last cell", v_last),
+            Equation::new("v|_D")
+                .left("from the first cell", v_first)
+                .right("from the last cell", v_last),
         ]
     }
 }
