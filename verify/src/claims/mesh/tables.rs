@@ -27,9 +27,10 @@ fn four_digits(x: f64) -> f64 {
     number(&format!("{x:.3e}"))
 }
 
-/// Rounded to two decimals, as the orders are printed.
-fn two_decimals(x: f64) -> f64 {
-    number(&format!("{x:.2}"))
+/// Half a unit in the last printed place of h, which has four digits.
+fn half_unit(h: &str) -> f64 {
+    let exponent = h.split('e').nth(1).map_or(f64::NAN, number);
+    5e-4 * 10f64.powf(exponent)
 }
 
 impl Table {
@@ -38,6 +39,18 @@ impl Table {
             (s.dimension, s.degree, s.quantity, s.canonical)
                 == (self.dimension, degree, Quantity::CurvatureError, false)
         })
+    }
+
+    /// Of the orders between two plotted errors that round to two decimals, h anywhere within the rounding of its four
+    /// digits, the one nearest to what is printed. (r = 0, N = 2, k = 4: 1.40496 with the printed h, and 1.41 in print.)
+    fn nearest_order(&self, k: usize, points: &[(usize, f64)], printed: f64) -> f64 {
+        let order = |sign: f64| {
+            let h = |k: usize, sign: f64| number(self.h[k]) + sign * half_unit(self.h[k]);
+            let (before, now) = ((h(k - 1, sign), points[k - 1].1), (h(k, -sign), points[k].1));
+            observed_order(before, now).unwrap_or(f64::NAN)
+        };
+        let (a, b) = (order(1.0), order(-1.0));
+        printed.clamp(a.min(b) - 0.005, a.max(b) + 0.005)
     }
 
     /// Errors and orders of one column, printed and found from the plot.
@@ -50,10 +63,7 @@ impl Table {
             .map(|p| four_digits(p.1))
             .collect::<Vec<_>>();
         let orders = column[1..].iter().map(|c| number(c.1)).collect::<Vec<_>>();
-        let of = |k: usize| -> f64 {
-            let at = |k: usize| (number(self.h[k]), plot.points[k].1);
-            two_decimals(observed_order(at(k - 1), at(k)).unwrap_or(f64::NAN))
-        };
+        let of = |k: usize| self.nearest_order(k, plot.points, number(column[k].1));
         let found = (1..column.len()).map(of).collect::<Vec<_>>();
         Some(vec![
             Equation::new(self.label)
@@ -61,7 +71,7 @@ impl Table {
                 .right("plotted errors, rounded", plotted),
             Equation::new("orders")
                 .left("printed orders", orders)
-                .right("orders of the plot, rounded", found),
+                .right("nearest orders of the plot", found),
         ])
     }
 }
@@ -72,7 +82,7 @@ impl OnMesh for N05 {
         paper: &["tab:error_N2", "tab:error_N3", "fig:conv_plot"],
         title: "The printed tables are the plots, rounded",
         statement: r"e_k\text{ to four digits},\qquad \log(e_{k-1}/e_k)/\log(h_{k-1}/h_k)\text{ to two decimals, with the printed } h",
-        sides: "Left: the tables. Right: the coordinates of the plots, rounded and divided here. No mesh is made.",
+        sides: "Left: the tables. Right: the coordinates of the plots, rounded and divided here; h is known to four digits. No mesh is made.",
     };
     const METHOD: Method = Method::Oracle;
     const JUDGEMENT: Judgement = ROUNDING;
