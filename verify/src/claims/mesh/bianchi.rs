@@ -122,7 +122,7 @@ impl OnMesh for M18 {
             .into_iter()
             // L_X g has degree r + 2, v degree 2.
             .map(|s| Setting {
-                order: s.order + 4,
+                order: s.order + 2,
                 ..s
             })
             .filter(|s| dimension < 4 || s.shape != Shape::Torus(3))

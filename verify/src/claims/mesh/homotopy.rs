@@ -19,7 +19,7 @@ use regge::scalar::Real;
 use regge::smooth::{Smooth, SmoothTensor};
 
 /// How many Gauss points in t: the integrand is analytic in t far beyond [0, 1].
-const POINTS_IN_T: usize = 10;
+const POINTS_IN_T: usize = 8;
 
 /// ∫₀¹ b_h dt and −∫₀¹ a_h dt by n Gauss points in t.
 struct Path<'a, K, G, H, const N: usize> {
@@ -179,7 +179,7 @@ impl OnMesh for Between {
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         // Two ends: twice as far from a flat metric.
-        let orders = orders(dimension).map(|o| if o > 2 { o + 4 } else { o });
+        let orders = orders(dimension).map(|o| if o > 2 { o + 2 } else { o });
         let all =
             |shapes: &[Shape]| super::setting::grid(shapes, &orders, if quick { 1 } else { 2 });
         match dimension {

@@ -46,7 +46,10 @@ impl Table {
     fn nearest_order(&self, k: usize, points: &[(usize, f64)], printed: f64) -> f64 {
         let order = |sign: f64| {
             let h = |k: usize, sign: f64| number(self.h[k]) + sign * half_unit(self.h[k]);
-            let (before, now) = ((h(k - 1, sign), points[k - 1].1), (h(k, -sign), points[k].1));
+            let (before, now) = (
+                (h(k - 1, sign), points[k - 1].1),
+                (h(k, -sign), points[k].1),
+            );
             observed_order(before, now).unwrap_or(f64::NAN)
         };
         let (a, b) = (order(1.0), order(-1.0));

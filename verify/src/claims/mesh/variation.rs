@@ -43,7 +43,7 @@ pub fn orders(dimension: usize) -> [usize; 3] {
     match dimension {
         2 => [2, 26, 30],
         3 => [2, 22, 24],
-        _ => [2, 16, 18],
+        _ => [2, 14, 16],
     }
 }
 
