@@ -34,7 +34,8 @@ fn weight(master: &[Fp], node: Fp) -> Fp {
 }
 
 /// Calls `f(λ, weight)` at the points of a rule on the reference k-simplex that is exact for polynomials up to a
-/// degree. Only points that `usable` accepts are taken.
+/// degree. Only points that `usable` accepts are taken; if hardly any is, as where a root is asked of a constant that
+/// is no square, the points have the weight [`Fp::POISON`].
 pub fn on_simplex(
     k: usize,
     degree: usize,
@@ -62,6 +63,12 @@ fn cone(
     }
     // The Jacobian (1−u)^(k−1) adds to the degree.
     let nodes = nodes(k, degree + k, rest, lambda, usable);
+    let Some(nodes) = nodes else {
+        lambda.extend(std::iter::repeat_n(rest, k + 1));
+        f(lambda, Fp::POISON);
+        lambda.truncate(lambda.len() - k - 1);
+        return;
+    };
     for (&u, w) in nodes.iter().zip(weights(&nodes)) {
         let left = Fp::one() - u;
         lambda.push(rest * u);
@@ -85,16 +92,15 @@ fn nodes(
     rest: Fp,
     lambda: &[Fp],
     usable: &dyn Fn(&[Fp]) -> bool,
-) -> Vec<Fp> {
+) -> Option<Vec<Fp>> {
     let fits = |u: Fp| {
         let point = [lambda, &[rest * u, rest * (Fp::one() - u)]].concat();
         k > 1 || usable(&point)
     };
-    (2..)
-        .map(Fp::from_int)
-        .filter(|u| fits(*u))
-        .take(count)
-        .collect()
+    // Three roots exist at every eighth point; a hundred times as many candidates do not all lack them by chance.
+    let candidates = (2..).take(100 * count).map(Fp::from_int);
+    let nodes: Vec<Fp> = candidates.filter(|u| fits(*u)).take(count).collect();
+    (nodes.len() == count).then_some(nodes)
 }
 
 #[cfg(test)]

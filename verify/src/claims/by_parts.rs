@@ -129,6 +129,10 @@ impl Integrals {
         *self.0[k].get_or_insert(Fp::zero()) += x;
     }
 
+    fn is_poisoned(&self) -> bool {
+        self.0.iter().flatten().any(|x| x.is_poison())
+    }
+
     fn get(&self, k: usize) -> Fp {
         self.0[k].unwrap_or(Fp::zero())
     }
@@ -201,13 +205,19 @@ impl<K: Formulas, const N: usize> ByParts<K, N> {
 
     fn equation(fields: &Fields<N>) -> Equation<Fp> {
         let mut sums = Integrals::default();
-        // The hinges first: where they are points, the roots there may not exist.
+        // The hinges first, then the faces: where roots do not exist at all, the cell need not be integrated.
         for pair in subsets(N + 1, 2) {
-            Self::hinge(fields, [pair[0], pair[1]], &mut sums);
+            if !sums.is_poisoned() {
+                Self::hinge(fields, [pair[0], pair[1]], &mut sums);
+            }
         }
-        if !sums.get(4).is_poison() {
+        for f in 0..=N {
+            if !sums.is_poisoned() {
+                Self::face(fields, f, &mut sums);
+            }
+        }
+        if !sums.is_poisoned() {
             Self::cell(fields, &mut sums);
-            (0..=N).for_each(|f| Self::face(fields, f, &mut sums));
         }
         Equation::new("by parts")
             .left("∫(div div 𝕊σ)v", sums.get(0))

@@ -44,7 +44,7 @@ pub struct P03;
 impl Pointwise for P03 {
     const RECORD: Record = Record {
         label: "P03",
-        paper: &["prop:curvdot", "curvdotintro"],
+        paper: &["prop:curvdot", "curvdotintro", "intcurvdot"],
         title: "The rate of change of the densitized scalar curvature",
         statement: r"\frac{\partial}{\partial t}(R\omega) = (\operatorname{div}\operatorname{div}\mathbb{S}\sigma)\,\omega
             - \langle G,\sigma\rangle\,\omega, \qquad \mathbb{S}\sigma = \sigma - g\operatorname{Tr}\sigma",

@@ -74,8 +74,9 @@ impl Pointwise for D06 {
         let normal = Normal::new(&base.inverse, &nu);
         let nabla = base.nabla_covector(&i.alpha);
         let div = surface_div(&base, &normal, &i.alpha);
-        let mut seeds = vec![frame.n0(), i.fields[0].map(|x| x.value.value())];
-        seeds.extend(i.seeds.iter().skip(1).map(|s| s.map(|x| x.value.value())));
+        // The same vectors in the opposite order give another frame.
+        let mut seeds = vec![frame.n0()];
+        seeds.extend(i.seeds.iter().rev().map(|s| s.map(|x| x.value.value())));
         let other = orthonormal(&base.g, &seeds).split_off(1);
         let full = base.div_covector(&i.alpha);
         // α + φβ, which is α on F = {φ = 0}.

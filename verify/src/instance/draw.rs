@@ -3,6 +3,7 @@
 use crate::claim::{Ground, Timed};
 use regge::jet::{Jet1, Jet2};
 use regge::linalg::{Mat, Vector, zeros};
+use regge::scalar::Field;
 
 /// Hands out numbers one by one.
 pub(super) struct Source<'a, B> {
@@ -89,6 +90,30 @@ pub(super) fn field<S: Timed, const N: usize>(
     source: &mut Source<'_, S::Base>,
 ) -> Vector<Jet1<S, N>, N> {
     Vector::from_fn(|_, _| vary1(source.jet1(), source.jet1()))
+}
+
+/// Vector fields near all coordinate directions but the one in which φ grows fastest: together with the normal of
+/// {φ = 0} they are a well-conditioned basis, where Gram and Schmidt lose no digits.
+pub(super) fn transversal<S: Timed, const N: usize>(
+    source: &mut Source<'_, S::Base>,
+    phi: &Jet2<S::Base, N>,
+) -> Vec<Vector<Jet1<S, N>, N>> {
+    let slope = |k: usize| phi.d[k].to_real().abs();
+    // In a field without order no slope is greater than another, and the first direction is left out.
+    let steepest = (1..N).fold(0, |best, k| if slope(k) > slope(best) { k } else { best });
+    let eighth = S::fixed(S::Base::ratio(1, 8));
+    let near = |k: usize, source: &mut Source<'_, S::Base>| {
+        let mut field = field::<S, N>(source);
+        for j in 0..N {
+            let unit = if j == k { S::one() } else { S::zero() };
+            field[j].value = unit + field[j].value * eighth;
+        }
+        field
+    };
+    (0..N)
+        .filter(|&k| k != steepest)
+        .map(|k| near(k, source))
+        .collect()
 }
 
 /// The first-order jet of these numbers: value, then first derivatives.

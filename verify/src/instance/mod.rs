@@ -41,7 +41,8 @@ pub struct Instance<S: Timed, const N: usize> {
     pub nu_bar: Vector<S::Base, N>,
     /// A rate of change of dφ, for a hypersurface that moves (which the paper excludes).
     pub nu_rate: Vector<S::Base, N>,
-    /// Time-dependent vector fields that a frame of F is made from.
+    /// N−1 time-dependent vector fields, no combination of which is nearly normal to F: a frame of F is made
+    /// from them.
     pub seeds: Vec<Vector<Jet1<S, N>, N>>,
     /// Another metric.
     pub other: Mat<Jet1<S::Base, N>, N>,
@@ -79,17 +80,18 @@ impl<S: Timed, const N: usize> Instance<S, N> {
         let g: Mat<Jet2<S::Base, N>, N> = draw::metric(source);
         let sigma = draw::tensor(source);
         let moving_g = g.zip_map(&sigma, vary2::<S, N>);
+        let phi: Jet2<S::Base, N> = source.jet2();
         Self {
             g,
             sigma,
             moving_g,
+            phi,
             fields: [draw::field(source), draw::field(source)],
             v: source.jet2(),
             alpha: Vector::from_fn(|_, _| source.jet1()),
-            phi: source.jet2(),
             nu_bar: Vector::from_fn(|_, _| source.next()),
             nu_rate: Vector::from_fn(|_, _| source.next()),
-            seeds: (1..N).map(|_| draw::field(source)).collect(),
+            seeds: draw::transversal(source, &phi),
             other: lower(&draw::metric(source)),
             spare: std::array::from_fn(|_| source.next()),
         }
