@@ -6,17 +6,20 @@
 //! | [`smooth_curvature`] | ∫ R v ω cell by cell | |
 //! | [`b_h`], [`a_h`] | the two sides' forms in d/dt⟨(Rω)_dist, v⟩ = b_h − a_h | thm:distcurvdot |
 //! | [`einstein`] | ⟨(Gω)_dist(g), σ⟩ | def:distein |
+//! | [`integrate`] | any density on k-simplices, seen from the cells around | |
 //!
 //! The three sums over cells T, faces F and hinges S are kept apart. Every function has a twin `…_with` that takes
 //! the [`Formulas`] to use.
 
 mod curvature;
+mod integrate;
 mod site;
 mod variation;
 
 pub use curvature::{
     angle_defects, distributional_curvature, distributional_curvature_with, smooth_curvature,
 };
+pub use integrate::integrate;
 pub use variation::{a_h, a_h_with, b_h, b_h_with, einstein};
 
 use crate::quadrature::Rule;

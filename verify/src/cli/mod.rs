@@ -10,6 +10,7 @@ mod reproduce;
 mod stop;
 mod table;
 mod values;
+mod verify;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -40,6 +41,7 @@ struct Cli {
 enum Command {
     Reproduce(reproduce::Args),
     Converge(converge::Args),
+    Verify(verify::Args),
 }
 
 /// Runs the command line of this process.
@@ -71,6 +73,7 @@ fn run(command: Command) -> Result<(), Stop> {
     match command {
         Command::Reproduce(args) => args.run(),
         Command::Converge(args) => args.run(),
+        Command::Verify(args) => args.run(),
     }
 }
 

@@ -1,0 +1,215 @@
+//! Random Regge fields, and the three sums of the functionals as vectors over test functions.
+
+use super::setting::Draw;
+use num_dual::Dual64;
+use regge::formulas::Formulas;
+use regge::functional::Sums;
+use regge::lagrange::Lagrange;
+use regge::linalg::Mat;
+use regge::mesh::Mesh;
+use regge::regge::{ReggeFunction, ReggeSpace};
+use regge::scalar::{Field, Lift, Real};
+use regge::simplex::{multi_indices, subsets};
+
+/// A Regge function with coefficients of type C.
+pub type Regge<'s, C, const N: usize> = ReggeFunction<'s, C, N>;
+
+/// The coefficients of the metric that makes each edge as long as it is in ℝ^N, or 1 on a mesh without coordinates,
+/// each times 1 + `noise` · (a random number in −1…1). With noise ≥ 1 it is a variation rather than a metric.
+fn near_flat<'s, const N: usize>(
+    space: &'s ReggeSpace<'s, N>,
+    draw: &mut Draw,
+    noise: f64,
+) -> Regge<'s, f64, N> {
+    let mesh = space.mesh();
+    let random = draw.numbers(space.len());
+    let mut coefficients = vec![0.0; space.len()];
+    for cell in 0..mesh.cells() {
+        for (e, edge) in subsets(N + 1, 2).iter().enumerate() {
+            let square = match (mesh.corner(cell, edge[0]), mesh.corner(cell, edge[1])) {
+                (Some(a), Some(b)) => (a - b).norm_squared(),
+                _ => 1.0,
+            };
+            for alpha in 0..multi_indices(N + 1, space.degree()).len() {
+                let dof = space.cell_dof(cell, e, alpha);
+                coefficients[dof] = square * (1.0 + noise * random[dof]);
+            }
+        }
+    }
+    function(space, coefficients)
+}
+
+/// A function of a space by its coefficients.
+pub fn function<'s, C: Copy, const N: usize>(
+    space: &'s ReggeSpace<'s, N>,
+    coefficients: Vec<C>,
+) -> Regge<'s, C, N> {
+    space
+        .function(coefficients)
+        .unwrap_or_else(|e| panic!("as many coefficients as the space has: {e}"))
+}
+
+/// A random metric. The noise is small: Alfeld's cells in N = 4 are thin, and the sums' integrands are nearer to
+/// polynomials.
+pub fn metric<'s, const N: usize>(
+    space: &'s ReggeSpace<'s, N>,
+    draw: &mut Draw,
+) -> Regge<'s, f64, N> {
+    near_flat(space, draw, [0.03, 0.015, 0.005][N - 2])
+}
+
+/// A random σ, as large as a metric.
+pub fn variation<'s, const N: usize>(
+    space: &'s ReggeSpace<'s, N>,
+    draw: &mut Draw,
+) -> Regge<'s, f64, N> {
+    near_flat(space, draw, 1.0)
+}
+
+/// g + t σ to first order in t.
+pub fn moving<'s, const N: usize>(
+    g: &Regge<'s, f64, N>,
+    sigma: &Regge<'s, f64, N>,
+) -> Regge<'s, Dual64, N> {
+    let pairs = g.coefficients().iter().zip(sigma.coefficients());
+    function(g.space(), pairs.map(|(g, s)| Dual64::new(*g, *s)).collect())
+}
+
+/// The mesh without its connections: every cell has vertices of its own. A Regge function there is one without
+/// tangential-tangential continuity here.
+pub fn torn<const N: usize>(mesh: &Mesh<N>) -> Mesh<N> {
+    let cells: Vec<Vec<usize>> = (0..mesh.cells())
+        .map(|c| (c * (N + 1)..(c + 1) * (N + 1)).collect())
+        .collect();
+    let corners: Option<Vec<Vec<_>>> = (0..mesh.cells())
+        .map(|c| (0..=N).map(|i| mesh.corner(c, i)).collect())
+        .collect();
+    let vertices = mesh.cells() * (N + 1);
+    match corners {
+        Some(corners) => Mesh::with_cell_charts(vertices, &cells, &corners),
+        None => Mesh::new_abstract(vertices, &cells),
+    }
+    .unwrap_or_else(|e| panic!("single cells are a mesh: {e}"))
+}
+
+/// The three sums over cells, faces and hinges.
+#[derive(Clone, Debug)]
+pub struct Three {
+    /// Σ_T.
+    pub t: Vec<f64>,
+    /// Σ_F.
+    pub f: Vec<f64>,
+    /// Σ_S.
+    pub s: Vec<f64>,
+}
+
+/// The sums of numbers.
+pub fn values(sums: Sums<f64>) -> Three {
+    Three {
+        t: sums.element,
+        f: sums.face,
+        s: sums.hinge,
+    }
+}
+
+/// d/dt of sums that depend on t.
+pub fn rates(sums: &Sums<Dual64>) -> Three {
+    let rate = |v: &Vec<Dual64>| v.iter().map(|x| x.eps).collect();
+    Three {
+        t: rate(&sums.element),
+        f: rate(&sums.face),
+        s: rate(&sums.hinge),
+    }
+}
+
+/// Which test functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tested {
+    /// Those that vanish on the boundary of the mesh: V.
+    Inner,
+    /// Those that do not.
+    Outer,
+    /// v = 1 alone.
+    One,
+}
+
+impl Tested {
+    /// The entries of these test functions. Bernstein's polynomials add up to 1.
+    pub fn of<const N: usize>(self, space: &Lagrange<'_, N>, all: &[f64]) -> Vec<f64> {
+        let of_boundary = |inner: bool| {
+            let dofs = (0..space.len()).filter(|&d| space.vanishes_on_boundary(d) == inner);
+            dofs.map(|d| all[d]).collect()
+        };
+        match self {
+            Self::Inner => of_boundary(true),
+            Self::Outer => of_boundary(false),
+            Self::One => vec![all.iter().sum()],
+        }
+    }
+
+    /// The same of three sums.
+    pub fn of_sums<const N: usize>(self, space: &Lagrange<'_, N>, sums: &Three) -> Three {
+        Three {
+            t: self.of(space, &sums.t),
+            f: self.of(space, &sums.f),
+            s: self.of(space, &sums.s),
+        }
+    }
+}
+
+/// c v.
+pub fn times(c: f64, v: &[f64]) -> Vec<f64> {
+    v.iter().map(|x| c * x).collect()
+}
+
+/// −v.
+pub fn minus(v: &[f64]) -> Vec<f64> {
+    times(-1.0, v)
+}
+
+/// Wrong on purpose: b_h without the faces of the boundary.
+pub struct InteriorFaces;
+
+impl Formulas for InteriorFaces {
+    fn face_in_b(interior: bool) -> bool {
+        interior
+    }
+}
+
+/// Wrong on purpose: II for II‾.
+pub struct PlainSecondForm;
+
+impl Formulas for PlainSecondForm {
+    fn trace_reversed<F: Field, const N: usize>(
+        _g: &Mat<F, N>,
+        second_form: &Mat<F, N>,
+        _h: F,
+    ) -> Mat<F, N> {
+        *second_form
+    }
+}
+
+/// Wrong on purpose: 𝕊σ = σ − ½ g Tr σ.
+pub struct HalfTrace;
+
+impl Formulas for HalfTrace {
+    fn reverse_trace<F: Field, const N: usize>(
+        g: &Mat<F, N>,
+        inverse: &Mat<F, N>,
+        sigma: &Mat<F, N>,
+    ) -> Mat<F, N> {
+        let s = regge::riemann::reverse_trace(g, inverse, sigma);
+        s.zip_map(sigma, |s, x| (s + x) * F::half())
+    }
+}
+
+/// A Regge function over f64 as one over another scalar.
+pub fn lifted<'s, T: Real, const N: usize>(g: &Regge<'s, f64, N>) -> Regge<'s, T, N>
+where
+    f64: Lift<T>,
+{
+    function(
+        g.space(),
+        g.coefficients().iter().map(|c| c.lift()).collect(),
+    )
+}

@@ -1,0 +1,79 @@
+//! Claims on meshes.
+//!
+//! Each file holds one claim or one family. [`setting`] has the meshes and the step from a claim to an entry of the
+//! run, [`fields`] the random Regge metrics.
+
+mod bianchi;
+mod closed;
+mod constant;
+mod defects;
+mod density;
+mod einstein;
+mod euclid;
+pub mod fields;
+mod gauge;
+mod homotopy;
+mod pair;
+mod parts;
+mod rates;
+mod references;
+pub mod setting;
+mod simplex;
+mod spaces;
+mod stokes;
+mod tables;
+mod traces;
+mod variation;
+
+use super::Catalogue;
+pub(crate) use constant::second_variation;
+use regge::formulas::Formulas;
+use setting::{MeshCheck, OnMesh};
+
+/// Adds them all, by the formulas K.
+pub fn checks<K: Formulas>(all: &mut Catalogue) {
+    checks_in::<K, 2>(all);
+    checks_in::<K, 3>(all);
+    checks_in::<K, 4>(all);
+}
+
+/// Adds a claim in dimension N, if it is meaningful there.
+fn add<C: OnMesh, K: Formulas, const N: usize>(all: &mut Catalogue) {
+    if !C::settings(N, false).is_empty() {
+        all.push(Box::new(MeshCheck::<C, K, N>::default()));
+    }
+}
+
+/// Adds those of dimension N.
+pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
+    add::<gauge::D10, K, N>(all);
+    add::<references::D11, K, N>(all);
+    add::<traces::D14, K, N>(all);
+    add::<defects::M01, K, N>(all);
+    add::<defects::M02, K, N>(all);
+    add::<rates::M03, K, N>(all);
+    add::<parts::M04, K, N>(all);
+    add::<variation::M05, K, N>(all);
+    add::<homotopy::Between, K, N>(all);
+    add::<homotopy::M06, K, N>(all);
+    add::<einstein::M07, K, N>(all);
+    add::<closed::M08, K, N>(all);
+    add::<closed::M09, K, N>(all);
+    add::<einstein::M10, K, N>(all);
+    add::<constant::M12, K, N>(all);
+    add::<constant::M13, K, N>(all);
+    add::<constant::M14, K, N>(all);
+    add::<closed::M15, K, N>(all);
+    add::<gauge::M16, K, N>(all);
+    add::<simplex::M17, K, N>(all);
+    add::<bianchi::M18, K, N>(all);
+    add::<einstein::M19, K, N>(all);
+    add::<traces::M20, K, N>(all);
+    add::<spaces::I29, K, N>(all);
+    add::<spaces::N03, K, N>(all);
+    add::<spaces::N04, K, N>(all);
+    add::<tables::N05, K, N>(all);
+    add::<stokes::T01, K, N>(all);
+    add::<parts::T03, K, N>(all);
+    add::<parts::T04, K, N>(all);
+}

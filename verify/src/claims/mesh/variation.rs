@@ -1,0 +1,206 @@
+//! M05: the first variation of the distributional scalar curvature.
+
+use super::fields::{
+    HalfTrace, InteriorFaces, PlainSecondForm, Tested, Three, metric, minus, moving, rates, times,
+    values, variation,
+};
+use super::setting::{Draw, OnMesh, QUADRATURE, Setting, Shape, grid};
+use crate::claim::{Equation, Judgement, Record};
+use num_dual::Dual64;
+use regge::formulas::Formulas;
+use regge::functional::{Rules, a_h_with, b_h_with, distributional_curvature_with};
+use regge::lagrange::Lagrange;
+use regge::regge::ReggeSpace;
+
+/// The cases of the integral identities that only quadrature keeps apart.
+pub fn everywhere(dimension: usize, quick: bool) -> Vec<Setting> {
+    use Shape::{Alfeld, Cube, Sphere, Torus};
+    let (orders, times) = (orders(dimension), if quick { 1 } else { 4 });
+    match dimension {
+        2 => grid(
+            &[Alfeld, Cube(2), Torus(3), Sphere],
+            &orders,
+            times - times / 3,
+        ),
+        3 => {
+            let mut all = grid(&[Cube(2), Torus(3)], &orders[..1], 1);
+            all.extend(grid(&[Alfeld, Sphere], &orders, times - times / 3));
+            all
+        }
+        4 if quick => grid(&[Alfeld], &orders[..2], 1),
+        4 => {
+            let mut all = grid(&[Torus(3)], &orders[..1], 1);
+            all.extend(grid(&[Alfeld, Sphere], &orders, 1));
+            all
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// By degree r: where the rules' errors are below 1e-11 of the sums, on these meshes with fields that are not far
+/// from flat ones. For r = 0 the integrands are polynomials of degree ≤ 2.
+pub fn orders(dimension: usize) -> [usize; 3] {
+    match dimension {
+        2 => [2, 26, 30],
+        3 => [2, 22, 24],
+        _ => [2, 14, 16],
+    }
+}
+
+/// What both sides of thm:distcurvdot are made of, for some test functions.
+pub struct Sides {
+    /// d/dt of the three sums of ⟨(Rω)_dist(g + tσ), v⟩.
+    pub rate: Three,
+    /// b_h(g; σ, v).
+    pub b: Three,
+    /// a_h(g; σ, v).
+    pub a: Three,
+}
+
+/// d/dt⟨(Rω)_dist, v⟩ = b_h − a_h.
+pub struct M05;
+
+impl OnMesh for M05 {
+    const RECORD: Record = Record {
+        label: "M05",
+        paper: &["thm:distcurvdot", "distcurvdot", "distcurvdotintro"],
+        title: "The first variation of the distributional scalar curvature",
+        statement: r"\frac{d}{dt}\langle (R\omega)_{\rm dist}(g(t)), v\rangle = b_h(g;\sigma,v) - a_h(g;\sigma,v)
+            \qquad \forall v \in V",
+        sides: "Left: the functional of def:distcurv (Ricci's formula, H, dihedral angles) over dual numbers. Right: b_h \
+            has second derivatives of v and none of σ, a_h has G, II‾ and Θ at t = 0. They agree in the limit of exact \
+            quadrature.",
+    };
+    const JUDGEMENT: Judgement = QUADRATURE;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        everywhere(dimension, quick)
+    }
+
+    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        let mesh = at.shape.mesh::<N>();
+        let regge = ReggeSpace::new(&mesh, at.degree);
+        let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
+        let space = Lagrange::new(&mesh, at.test);
+        let rules = Rules::new::<N>(at.order);
+        let rate =
+            distributional_curvature_with::<K, Dual64, N, _>(&moving(&g, &sigma), &space, &rules);
+        let all = Sides {
+            rate: rates(&rate),
+            b: values(b_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules)),
+            a: values(a_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules)),
+        };
+        let wrong = Wrong {
+            b_f: b_h_with::<InteriorFaces, f64, N, _, _>(&g, &sigma, &space, &rules).face,
+            b_t: b_h_with::<HalfTrace, f64, N, _, _>(&g, &sigma, &space, &rules).element,
+            a_f: a_h_with::<PlainSecondForm, f64, N, _, _>(&g, &sigma, &space, &rules).face,
+        };
+        vec![wrong.forge(&all, &space, at)]
+    }
+}
+
+/// Terms by wrong formulas.
+struct Wrong {
+    b_f: Vec<f64>,
+    b_t: Vec<f64>,
+    a_f: Vec<f64>,
+}
+
+impl Wrong {
+    fn forge<const N: usize>(
+        &self,
+        all: &Sides,
+        space: &Lagrange<'_, N>,
+        at: &Setting,
+    ) -> Equation<f64> {
+        let inner = |v: &[f64]| Tested::Inner.of(space, v);
+        let (flat, closed) = (at.degree == 0, at.shape.is_closed());
+        all.on(Tested::Inner, space)
+            .equation(N, at.degree)
+            .forge("b_h over interior faces only", B_F, inner(&self.b_f))
+            .vacuous(closed, "there is no boundary")
+            .forge("II for II‾", A_F, minus(&inner(&self.a_f)))
+            .vacuous(flat, FLAT)
+            .forge("𝕊 with ½", B_T, inner(&self.b_t))
+            .forge(
+                "factor 1 of the face sum",
+                R_F,
+                times(0.5, &inner(&all.rate.f)),
+            )
+            .vacuous(flat, FLAT)
+            .forge(
+                "factor 1 of the hinge sum",
+                R_S,
+                times(0.5, &inner(&all.rate.s)),
+            )
+            .forge_terms("v ≠ 0 on ∂Ω", all.on(Tested::Outer, space).terms())
+            .vacuous(closed, "there is no boundary")
+    }
+}
+
+/// Why R_T, H and G vanish when r = 0.
+pub const FLAT: &str = "g is constant on cells";
+/// Why the forms on hinges vanish when N = 2.
+pub const POINTS: &str = "hinges are points when N = 2";
+const R_T: &str = "d/dt Σ_T ∫Rvω";
+const R_F: &str = "d/dt 2Σ̊_F ∫⟦H⟧vω_F";
+const R_S: &str = "d/dt 2Σ̊_S ∫Θvω_S";
+const B_T: &str = "Σ_T ∫⟨𝕊σ,∇∇v⟩ω";
+const B_F: &str = "−Σ_F ∫𝕊σ(n,n)⟦∇_n v⟧ω_F";
+const A_T: &str = "−Σ_T ∫⟨G,σ⟩vω";
+const A_F: &str = "−Σ̊_F ∫⟨⟦II‾⟧,σ⟩vω_F";
+const A_S: &str = "Σ̊_S ∫Θ Tr(σ|_S)vω_S";
+
+impl Sides {
+    /// For these test functions.
+    pub fn on<const N: usize>(&self, tested: Tested, space: &Lagrange<'_, N>) -> Self {
+        Self {
+            rate: tested.of_sums(space, &self.rate),
+            b: tested.of_sums(space, &self.b),
+            a: tested.of_sums(space, &self.a),
+        }
+    }
+
+    fn terms(&self) -> Vec<(&'static str, Vec<f64>)> {
+        let (rate, b, a) = (&self.rate, &self.b, &self.a);
+        vec![
+            (R_T, rate.t.clone()),
+            (R_F, rate.f.clone()),
+            (R_S, rate.s.clone()),
+            (B_T, b.t.clone()),
+            (B_F, b.f.clone()),
+            (A_T, minus(&a.t)),
+            (A_F, minus(&a.f)),
+            (A_S, minus(&a.s)),
+        ]
+    }
+
+    /// The theorem.
+    pub fn equation(&self, dimension: usize, degree: usize) -> Equation<f64> {
+        let mut terms = self.terms().into_iter();
+        let mut next = || terms.next().unwrap_or_default();
+        let (constant, surface) = (degree == 0, dimension == 2);
+        let mut equation = Equation::new("d/dt⟨(Rω)_dist,v⟩ = b_h − a_h");
+        for vanishes in [constant, constant, false] {
+            let (name, value) = next();
+            equation = equation.left(name, value).vanishes(vanishes, FLAT);
+        }
+        for (vanishes, why) in [
+            (false, ""),
+            (false, ""),
+            (
+                constant || surface,
+                "G = 0 when N = 2, or g is constant on cells",
+            ),
+            (
+                constant || surface,
+                "II‾ = 0 when N = 2, or g is constant on cells",
+            ),
+            (surface, POINTS),
+        ] {
+            let (name, value) = next();
+            equation = equation.right(name, value).vanishes(vanishes, why);
+        }
+        equation
+    }
+}

@@ -1,0 +1,188 @@
+//! One Markdown page for each claim, and an index.
+
+use super::summary::{Row, margin};
+use super::{Entry, Report, Verdict};
+use crate::claim::Record;
+use std::fmt::Write;
+
+/// A file of the report.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// Its name.
+    pub name: String,
+    /// What is in it.
+    pub content: String,
+}
+
+/// The index and a page for each claim that was run.
+pub fn pages(report: &Report, records: &[&Record]) -> Vec<Page> {
+    let rows = report.rows();
+    let mut pages = vec![index(report, &rows, records)];
+    for row in &rows {
+        if let Some(record) = records.iter().find(|r| r.label == row.label) {
+            pages.push(Page {
+                name: format!("{}.md", row.label),
+                content: page(row, record),
+            });
+        }
+    }
+    pages
+}
+
+pub(super) fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "holds",
+        Verdict::Fail => "**fails**",
+    }
+}
+
+pub(super) fn residual(entry: &Entry) -> String {
+    if entry.tolerance > 0.0 {
+        format!("{:.1e}", entry.worst_residual)
+    } else {
+        "0, exactly".to_owned()
+    }
+}
+
+/// The tolerance, or the chance that a false identity was taken for a true one.
+pub(super) fn allowed(entry: &Entry) -> String {
+    match entry.false_accept_log2 {
+        Some(log2) => format!("chance < 2^{log2:.0}"),
+        None => format!("{:.1e}", entry.tolerance),
+    }
+}
+
+fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
+    let mut text = format!(
+        "# Verification report\n\nregge {}, revision {}. {}\n| claim | | N | by | cases | worst residual | weakest forgery | verdict |\n|---|---|---|---|---|---|---|---|\n",
+        report.version,
+        report.revision,
+        report.conclusion(),
+    );
+    for row in rows {
+        let title = records
+            .iter()
+            .find(|r| r.label == row.label)
+            .map_or("", |r| r.title);
+        let dimensions: Vec<String> = row.dimensions().iter().map(usize::to_string).collect();
+        let _ = writeln!(
+            text,
+            "| [{0}]({0}.md) | {title} | {1} | {2} | {3} | {4} | {5} | {6} |",
+            row.label,
+            dimensions.join(", "),
+            row.methods().join(", "),
+            row.cases(),
+            row.worst_residual()
+                .map_or("exact".to_owned(), |(r, _)| format!("{r:.1e}")),
+            row.weakest_forgery()
+                .map_or("exact".to_owned(), |f| margin(f.margin)),
+            verdict(row.verdict()),
+        );
+    }
+    text += "\n## Forgeries made by hand, and the claims that caught them\n\n| what is wrong | caught by |\n|---|---|\n";
+    for (name, labels) in report.caught_by() {
+        let _ = writeln!(text, "| {} | {} |", cell(name), labels.join(", "));
+    }
+    Page {
+        name: "README.md".to_owned(),
+        content: text,
+    }
+}
+
+/// Text in a cell of a table: no bars.
+pub(super) fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
+}
+
+fn page(row: &Row<'_>, record: &Record) -> String {
+    let statement = record
+        .statement
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    let mut text = format!(
+        "# {}. {}\n\n$$\n{statement}\n$$\n\n",
+        record.label, record.title
+    );
+    if record.paper.is_empty() {
+        text += "Not in the paper.\n\n";
+    } else {
+        let labels: Vec<String> = record.paper.iter().map(|l| format!("`{l}`")).collect();
+        let _ = write!(text, "In the paper: {}.\n\n", labels.join(", "));
+    }
+    let _ = write!(text, "{}\n\n", record.sides);
+    text += "| N | by | scalar | cases | worst residual | allowed | verdict |\n|---|---|---|---|---|---|---|\n";
+    for e in &row.entries {
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} | {} |",
+            e.dimension,
+            e.method,
+            e.scalar,
+            e.cases,
+            residual(e),
+            allowed(e),
+            verdict(e.verdict)
+        );
+    }
+    forgeries(&mut text, row);
+    text
+}
+
+/// Every forgery with the dimensions where it was caught, and where it changes nothing.
+fn forgeries(text: &mut String, row: &Row<'_>) {
+    text.push_str("\n## Forgeries\n\n| forgery | caught | weakest margin | changes nothing |\n|---|---|---|---|\n");
+    for name in names(row) {
+        let at = |e: &Entry| format!("N = {} {}", e.dimension, e.method);
+        let found: Vec<_> = row
+            .entries
+            .iter()
+            .flat_map(|e| {
+                e.forgeries
+                    .iter()
+                    .filter(|f| f.name == name)
+                    .map(move |f| (e, f))
+            })
+            .collect();
+        let missed: Vec<String> = found
+            .iter()
+            .filter(|(_, f)| !f.caught)
+            .map(|(e, _)| at(e))
+            .collect();
+        let weakest = found.iter().filter_map(|(_, f)| f.margin).reduce(f64::min);
+        let reason = row.entries.iter().find_map(|e| {
+            let v = e.vacuous.iter().find(|v| v.name == name)?;
+            Some(format!("N = {}: {}", e.dimension, v.reason))
+        });
+        let caught = match (found.is_empty(), missed.is_empty()) {
+            (true, _) => "–".to_owned(),
+            (_, true) => format!("in all {} entries", found.len()),
+            _ => format!("**missed: {}**", missed.join(", ")),
+        };
+        let _ = writeln!(
+            text,
+            "| {} | {caught} | {} | {} |",
+            cell(&name),
+            if found.is_empty() {
+                "–".to_owned()
+            } else {
+                margin(weakest)
+            },
+            cell(&reason.unwrap_or_default())
+        );
+    }
+}
+
+/// The names of all forgeries of a claim, each once.
+pub(super) fn names(row: &Row<'_>) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for entry in &row.entries {
+        let caught = entry.forgeries.iter().map(|f| &f.name);
+        for name in caught.chain(entry.vacuous.iter().map(|v| &v.name)) {
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
+    }
+    names
+}
