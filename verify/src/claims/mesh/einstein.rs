@@ -34,7 +34,7 @@ impl<S: TensorField<f64, N>, const N: usize> TensorField<f64, N> for Product<'_,
         (v, self.sigma.on_cell(cell))
     }
     fn jet2(&self, local: &Self::Local, table: &Self::Table, q: usize) -> Mat<Jet2<f64, N>, N> {
-        let v = combine::<f64, f64, N>(&local.0, &table.0[q]);
+        let v = combine::<f64, N>(&local.0, &table.0[q]);
         self.sigma.jet2(&local.1, &table.1, q).map(|x| v * x)
     }
 }

@@ -49,7 +49,7 @@ impl OneForm {
         let table: Vec<Vec<Jet2<f64, N>>> = self.basis.tabulate_jets(points);
         let component = |row: &Vec<Jet2<f64, N>>, m: usize| {
             let c = &self.coefficients[m * row.len()..(m + 1) * row.len()];
-            let jet = regge::simplex::combine::<f64, f64, N>(c, row);
+            let jet = regge::simplex::combine::<f64, N>(c, row);
             Jet1 {
                 value: jet.value,
                 d: jet.d,
