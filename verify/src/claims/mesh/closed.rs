@@ -12,7 +12,7 @@ use regge::regge::ReggeSpace;
 
 /// Tori of degree 0 and spheres of all degrees.
 fn closed(dimension: usize, quick: bool) -> Vec<Setting> {
-    let (orders, times) = (orders(dimension), if quick { 1 } else { 6 });
+    let (orders, times) = (orders(dimension), if quick { 1 } else { 7 });
     match dimension {
         2 => grid(&[Shape::Torus(3), Shape::Sphere], &orders, times),
         3 => {
@@ -130,7 +130,7 @@ impl OnMesh for M09 {
     const JUDGEMENT: Judgement = ROUNDING;
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        let times = if quick { 2 } else { 12 };
+        let times = if quick { 2 } else { 16 };
         match dimension {
             2 | 3 => grid(&[Shape::Sphere, Shape::Torus(3)], &[2], times),
             4 => grid(&[Shape::Sphere], &[2], times),

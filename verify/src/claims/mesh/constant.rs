@@ -159,7 +159,7 @@ impl OnMesh for M13 {
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         if dimension == 3 {
-            grid(&[Shape::Torus(3)], &[2], if quick { 1 } else { 8 })
+            grid(&[Shape::Torus(3)], &[2], if quick { 1 } else { 64 })
         } else {
             Vec::new()
         }

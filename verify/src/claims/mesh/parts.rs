@@ -22,7 +22,7 @@ const NORMAL: &str = "−Σ_F ∫𝕊σ(n,n)⟦∇_n v⟧ω_F";
 
 /// The cases on one simplex: nothing there is continuous, and v is free.
 pub fn on_one_simplex(dimension: usize, quick: bool) -> Vec<Setting> {
-    let times = if quick { 2 } else { 8 };
+    let times = if quick { 2 } else { 9 };
     match dimension {
         2 | 3 => grid(&[Shape::Single], &orders(dimension), times),
         // The reference simplex is no thin one: lower orders do.

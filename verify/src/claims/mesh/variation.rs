@@ -17,11 +17,7 @@ pub fn everywhere(dimension: usize, quick: bool) -> Vec<Setting> {
     use Shape::{Alfeld, Cube, Sphere, Torus};
     let (orders, times) = (orders(dimension), if quick { 1 } else { 4 });
     match dimension {
-        2 => grid(
-            &[Alfeld, Cube(2), Torus(3), Sphere],
-            &orders,
-            times - times / 3,
-        ),
+        2 => grid(&[Alfeld, Cube(2), Torus(3), Sphere], &orders, times),
         3 => {
             let mut all = grid(&[Cube(2), Torus(3)], &orders[..1], 1);
             all.extend(grid(&[Alfeld, Sphere], &orders, times - times / 3));
