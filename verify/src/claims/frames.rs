@@ -17,6 +17,17 @@ fn accelerations<S: Timed, const N: usize>(
     frame.tau.iter().map(one).collect()
 }
 
+/// All components of these vectors. Their tangential parts cancel in products with n: rounding is relative to them.
+fn components<S: Timed, const N: usize>(
+    vectors: &[Vector<S, N>],
+    part: fn(S) -> S::Base,
+) -> Vec<S::Base> {
+    vectors
+        .iter()
+        .flat_map(|v| v.iter().map(|x| part(*x)).collect::<Vec<_>>())
+        .collect()
+}
+
 /// H in a frame.
 pub struct P10;
 
@@ -42,7 +53,8 @@ impl Pointwise for P10 {
                 .right(
                     "−Σg(n,∇_ττ)",
                     -sum(&bend, |a| form(&g, &n, &a.map(S::value))),
-                ),
+                )
+                .magnitude(components(&bend, S::value)),
         ]
     }
 }
@@ -73,7 +85,8 @@ impl Pointwise for P11 {
             Equation::new("Ḣ")
                 .left("Ḣ", i.moving_h::<K>().rate())
                 .right("½Hσ(n,n)", S::Base::half() * scene.face.h * scene.s_nn)
-                .right("−Σg(n,∂_t∇_ττ)", -sum(&bend, rate)),
+                .right("−Σg(n,∂_t∇_ττ)", -sum(&bend, rate))
+                .magnitude(components(&bend, S::rate)),
         ]
     }
 }
@@ -96,18 +109,17 @@ impl Pointwise for P12 {
     ) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene::<K>());
         let n = frame.n0();
-        let mut left = S::Base::zero();
+        let (mut left, mut size) = (S::Base::zero(), Vec::new());
         for (tau, rate) in frame.tau1().iter().zip(frame.tau_rate()) {
-            left += form(
-                &scene.base.g,
-                &n,
-                &along(&scene.base.nabla_vector(tau), &rate),
-            );
+            let bend = along(&scene.base.nabla_vector(tau), &rate);
+            left += form(&scene.base.g, &n, &bend);
+            size.extend(bend.iter().copied());
         }
         vec![
             Equation::new("frame and II")
                 .left("2Σg(n,∇_τ̇ τ)", left + left)
-                .right("⟨II,σ⟩", scene.ii_sigma),
+                .right("⟨II,σ⟩", scene.ii_sigma)
+                .magnitude(size),
         ]
     }
 }

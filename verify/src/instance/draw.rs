@@ -92,15 +92,56 @@ pub(super) fn field<S: Timed, const N: usize>(
     Vector::from_fn(|_, _| vary1(source.jet1(), source.jet1()))
 }
 
+/// |∂_k φ|; NaN in a field without order, where no slope is then less than another.
+fn slope<B: Ground, const N: usize>(phi: &Jet2<B, N>, k: usize) -> f64 {
+    phi.d[k].to_real().abs()
+}
+
+/// The direction in which φ grows fastest.
+fn steepest<B: Ground, const N: usize>(phi: &Jet2<B, N>) -> usize {
+    (1..N).fold(0, |best, k| {
+        if slope(phi, k) > slope(phi, best) {
+            k
+        } else {
+            best
+        }
+    })
+}
+
+/// A function with |dφ| ≥ 1: the curvature of its level sets is of the size of its second derivatives.
+pub(super) fn level_function<B: Ground, const N: usize>(source: &mut Source<'_, B>) -> Jet2<B, N> {
+    let mut phi: Jet2<B, N> = source.jet2();
+    let k = steepest(&phi);
+    let sign = phi.d[k].to_real().signum();
+    if !sign.is_nan() {
+        phi.d[k] += B::from_real(sign);
+    }
+    phi
+}
+
+/// A covector that is not nearly parallel to dφ: near the direction in which φ grows least.
+pub(super) fn other_face<B: Ground, const N: usize>(
+    source: &mut Source<'_, B>,
+    phi: &Jet2<B, N>,
+) -> Vector<B, N> {
+    let least = (1..N).fold(0, |best, k| {
+        if slope(phi, k) < slope(phi, best) {
+            k
+        } else {
+            best
+        }
+    });
+    let quarter = B::ratio(1, 4);
+    Vector::from_fn(|k, _| source.next() * quarter + if k == least { B::one() } else { B::zero() })
+}
+
 /// Vector fields near all coordinate directions but the one in which φ grows fastest: together with the normal of
 /// {φ = 0} they are a well-conditioned basis, where Gram and Schmidt lose no digits.
 pub(super) fn transversal<S: Timed, const N: usize>(
     source: &mut Source<'_, S::Base>,
     phi: &Jet2<S::Base, N>,
 ) -> Vec<Vector<Jet1<S, N>, N>> {
-    let slope = |k: usize| phi.d[k].to_real().abs();
-    // In a field without order no slope is greater than another, and the first direction is left out.
-    let steepest = (1..N).fold(0, |best, k| if slope(k) > slope(best) { k } else { best });
+    let left_out = steepest(phi);
     let eighth = S::fixed(S::Base::ratio(1, 8));
     let near = |k: usize, source: &mut Source<'_, S::Base>| {
         let mut field = field::<S, N>(source);
@@ -111,7 +152,7 @@ pub(super) fn transversal<S: Timed, const N: usize>(
         field
     };
     (0..N)
-        .filter(|&k| k != steepest)
+        .filter(|&k| k != left_out)
         .map(|k| near(k, source))
         .collect()
 }

@@ -80,7 +80,7 @@ impl<S: Timed, const N: usize> Instance<S, N> {
         let g: Mat<Jet2<S::Base, N>, N> = draw::metric(source);
         let sigma = draw::tensor(source);
         let moving_g = g.zip_map(&sigma, vary2::<S, N>);
-        let phi: Jet2<S::Base, N> = source.jet2();
+        let phi: Jet2<S::Base, N> = draw::level_function(source);
         Self {
             g,
             sigma,
@@ -89,7 +89,7 @@ impl<S: Timed, const N: usize> Instance<S, N> {
             fields: [draw::field(source), draw::field(source)],
             v: source.jet2(),
             alpha: Vector::from_fn(|_, _| source.jet1()),
-            nu_bar: Vector::from_fn(|_, _| source.next()),
+            nu_bar: draw::other_face(source, &phi),
             nu_rate: Vector::from_fn(|_, _| source.next()),
             seeds: draw::transversal(source, &phi),
             other: lower(&draw::metric(source)),
