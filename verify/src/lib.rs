@@ -4,9 +4,9 @@
 
 pub mod claim;
 pub mod claims;
+pub mod errata;
 pub mod exact;
 pub mod exact_rule;
-pub mod errata;
 pub mod instance;
 pub mod oracle;
 pub mod plot;
