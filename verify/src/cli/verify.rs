@@ -89,7 +89,22 @@ fn with_bar(options: &Options) -> Result<Report, Stop> {
         bar.inc(1);
     });
     bar.finish_and_clear();
-    report.map_err(|unknown| Stop::Usage(unknown.to_string()))
+    let mut report = report.map_err(|unknown| Stop::Usage(unknown.to_string()))?;
+    report.revision = revision();
+    Ok(report)
+}
+
+/// The revision of the checkout that the command runs in. Not known at build time: a build that depended on it would
+/// compile the whole catalogue anew at each commit.
+fn revision() -> String {
+    let git = std::process::Command::new("git")
+        .args(["rev-parse", "--short=12", "HEAD"])
+        .output();
+    let text = git
+        .ok()
+        .filter(|o| o.status.success())
+        .and_then(|o| String::from_utf8(o.stdout).ok());
+    text.map_or_else(|| "unknown".to_owned(), |t| t.trim().to_owned())
 }
 
 fn json(report: &Report) -> Result<String, Stop> {

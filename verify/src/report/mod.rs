@@ -17,7 +17,7 @@ use serde::Serialize;
 pub struct Report {
     /// The version of this package.
     pub version: String,
-    /// The revision of the sources it was built from.
+    /// The revision of the sources, if whoever runs the catalogue fills it in; else `unknown`.
     pub revision: String,
     /// The seed that all randomness comes from.
     pub seed: u64,
