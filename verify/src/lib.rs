@@ -1,4 +1,5 @@
 //! x
+pub mod input;
 pub mod plot;
 pub mod printed;
 pub mod study;
