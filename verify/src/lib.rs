@@ -1,4 +1,5 @@
 //! x
+pub mod curvature;
 pub mod input;
 pub mod plot;
 pub mod printed;
