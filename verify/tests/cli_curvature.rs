@@ -1,38 +1,12 @@
-//! `regge curvature` as its users meet it: the reference cases through files, spheres from lengths, bad input.
+//! `regge curvature` as its users meet it: the reference cases through files, spheres from lengths.
 
+mod common;
+
+use common::files::{SQUARE, curvature, folder, write};
 use serde_json::Value;
 use std::fmt::Write;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-/// A folder of its own for each test.
-fn folder(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("curvature-{name}"));
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder");
-    path
-}
-
-fn write(folder: &Path, name: &str, text: &str) {
-    fs::write(folder.join(name), text).expect("a file");
-}
-
-fn regge(folder: &Path, arguments: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_regge"));
-    let arguments = arguments.split_whitespace();
-    let command = command.current_dir(folder).arg("curvature").args(arguments);
-    command.output().expect("the program runs")
-}
-
-/// The JSON that the command writes.
-fn curvature(folder: &Path, arguments: &str) -> Value {
-    let output = regge(folder, &format!("{arguments} --json out.json"));
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{arguments}: {said}");
-    let text = fs::read_to_string(folder.join("out.json")).expect("a file");
-    serde_json::from_str(&text).expect("JSON")
-}
+use std::path::Path;
 
 fn numbers(value: &Value) -> Vec<f64> {
     let list = value.as_array().expect("a list");
@@ -262,9 +236,6 @@ fn a_sphere_by_edge_lengths_has_curvature_8_pi() {
     }
 }
 
-const SQUARE: &str = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[1,1],[0,1],[0.5,0.5]],
- "cells": [[0,1,4],[1,2,4],[2,3,4],[3,0,4]]}"#;
-
 /// The local integrals add up to the sums, and a stated R gives the norm that the kernel's own R gives.
 #[test]
 fn the_parts_of_the_report_fit_together() {
@@ -296,140 +267,4 @@ fn the_parts_of_the_report_fit_together() {
     let again = curvature(&folder, &format!("{command} r.toml"));
     let error = |value: &Value| value["hm2"]["error"].as_f64().expect("a number");
     assert!((error(&again) / error(&found) - 1.0).abs() < 1e-6);
-}
-
-#[test]
-fn bad_input_is_one_line_and_code_2() {
-    let folder = folder("bad");
-    write(&folder, "m.json", SQUARE);
-    write(&folder, "g.toml", "dimension = 2\nconformal = \"1\"\n");
-    let metrics = [
-        (
-            "dimension = 2\ngraph = \"sine(x)\"",
-            "line 2: graph: column 1: unknown name 'sine'",
-        ),
-        (
-            "dimension = 2\nconformal = \"1/(x - x)\"",
-            "not finite at x = ",
-        ),
-        (
-            "dimension = 2\nconformal = \"x - 0.5\"",
-            "not positive definite at x = ",
-        ),
-        ("dimension = 3\nconformal = \"1\"", "dimension 3"),
-        ("dimension = 2", "exactly one"),
-    ];
-    for (text, expected) in metrics {
-        write(&folder, "bad.toml", text);
-        refused(&folder, "--mesh m.json --metric bad.toml", expected);
-    }
-    let meshes = [
-        (r#"{"dimension": 2, "cells": [[0,1,2]"#, "line 1"),
-        (
-            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[1,1]], "cells": [[0,1,2]]}"#,
-            "belongs to no cell",
-        ),
-        (
-            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[0,0]], "cells": [[0,1,2],[1,2,3]]}"#,
-            "duplicated",
-        ),
-        (
-            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[2,0]], "cells": [[0,1,2]]}"#,
-            "degenerate",
-        ),
-        (
-            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[1,1],[0.5,0.5]], "cells": [[0,1,2],[1,3,4],[3,2,4]]}"#,
-            "vertex 4 hangs",
-        ),
-        (
-            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[1,1],[2,2]], "cells": [[0,1,2],[1,2,3],[1,2,4]]}"#,
-            "not a manifold",
-        ),
-        (
-            r#"{"dimension": 2, "cells": [[0,1,2],[0,1,3],[0,2,3],[1,2,3]]}"#,
-            "no coordinates",
-        ),
-        ("nothing", "is no mesh"),
-    ];
-    for (text, expected) in meshes {
-        write(&folder, "bad.json", text);
-        refused(&folder, "--mesh bad.json --metric g.toml", expected);
-    }
-    refused(&folder, "--mesh none.msh --metric g.toml", "none.msh");
-    refused(&folder, "--mesh m.json", "--metric");
-    refused(
-        &folder,
-        "--mesh m.json --metric g.toml --json missing/x.json",
-        "no such folder",
-    );
-    refused(
-        &folder,
-        "--mesh m.json --metric g.toml --degree 99",
-        "too high",
-    );
-}
-
-#[test]
-fn bad_lengths_are_one_line_and_code_2() {
-    let folder = folder("lengths");
-    write(
-        &folder,
-        "m.json",
-        r#"{"dimension": 2, "cells": [[0,1,2],[0,1,3],[0,2,3],[1,2,3]]}"#,
-    );
-    let good = "i,j,length\n0,1,1\n0,2,1\n0,3,1\n1,2,1\n1,3,1\n2,3,1\n";
-    for (from, to, expected) in [
-        ("0,3,1\n", "", "edge 0-3 has no length; 1 of 6"),
-        (
-            "0,3,1\n",
-            "0,3,1\n3,0,2\n",
-            "line 5: edge 3-0 has length 2, but 1 in line 4",
-        ),
-        ("0,3,1\n", "0,9,1\n", "vertex 9 does not exist"),
-        ("0,3,1\n", "0,0,1\n", "no edge"),
-        ("0,3,1\n", "0,3,-1\n", "positive"),
-        ("0,3,1\n", "0,3,nan\n", "positive"),
-        ("0,3,1\n", "0,3\n", "2 fields"),
-        ("0,3,1\n", "0,3,one\n", "no length"),
-        (
-            "0,3,1\n",
-            "0,3,5\n",
-            "cell 1 [0, 1, 3] (Cayley-Menger determinant",
-        ),
-    ] {
-        write(&folder, "l.csv", &good.replace(from, to));
-        refused(&folder, "--mesh m.json --lengths l.csv", expected);
-    }
-    write(&folder, "l.csv", good);
-    refused(
-        &folder,
-        "--mesh m.json --lengths l.csv --degree 1",
-        "--degree",
-    );
-    refused(
-        &folder,
-        "--mesh m.json --lengths l.csv --norm hm2",
-        "--norm",
-    );
-    let found = curvature(&folder, "--mesh m.json --lengths l.csv");
-    let total = found["total_curvature"].as_f64().expect("a number");
-    assert!((total - 8.0 * std::f64::consts::PI).abs() < 1e-12);
-}
-
-fn refused(folder: &Path, arguments: &str, expected: &str) {
-    let before = fs::read_dir(folder).expect("a folder").count();
-    let output = regge(folder, arguments);
-    let said = String::from_utf8(output.stderr).expect("text");
-    assert_eq!(output.status.code(), Some(2), "{arguments}: {said}");
-    assert_eq!(said.lines().count(), 1, "{arguments}: {said}");
-    assert!(
-        said.starts_with("regge: ") && said.contains(expected),
-        "{arguments}: {said}"
-    );
-    assert!(output.stdout.is_empty());
-    assert_eq!(
-        fs::read_dir(folder).expect("a folder").count(),
-        before,
-        "nothing is written"
-    );
 }

@@ -175,7 +175,9 @@ impl Args {
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
         }
         if let Some(norm) = &report.hm2 {
-            writeln!(out, "error in H^-2 {:.12e}", norm.error)?;
+            let unsettled = norm.quadrature.settled == Some(false);
+            let state = if unsettled { ", NOT settled" } else { "" };
+            writeln!(out, "error in H^-2 {:.12e}{state}", norm.error)?;
         }
         for path in self.files() {
             writeln!(out, "written: {}", path.display())?;

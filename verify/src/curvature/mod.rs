@@ -127,6 +127,7 @@ fn by_metric<const N: usize>(
     let g = Smooth::new(&mesh, metric.metric()).map_err(input)?;
     // Where the interpolant looks at g, and the curvature at g_h, to begin with.
     smooth::check_formula(&g, &Rule::new(N, 2 * request.degree + 2)).map_err(input)?;
+    smooth::check_edges(&g, request.degree).map_err(input)?;
     let space = ReggeSpace::new(&mesh, request.degree);
     let g_h = interpolation.apply(&space, &g, ProjectionKind::Exact);
     let g_h = g_h.map_err(failed)?;

@@ -2,10 +2,12 @@
 
 use crate::input::expression::Expression;
 use regge::field::TensorField;
+use regge::jet::Jet2;
 use regge::lagrange::Lagrange;
-use regge::linalg::indefinite_pivot;
+use regge::linalg::{Mat, indefinite_pivot};
 use regge::quadrature::Rule;
-use regge::smooth::{Smooth, SmoothTensor};
+use regge::simplex::{Points, subsets};
+use regge::smooth::{AffineMap, Smooth, SmoothTensor};
 use regge::{Error, linalg::inverse_and_det};
 
 /// Σ_T ∫_T R v ω for every basis function v, with R by its own formula.
@@ -51,7 +53,7 @@ fn place<M: SmoothTensor<N>, const N: usize>(
     x
 }
 
-/// Is the formula finite and positive definite at the points of a rule in every cell?
+/// Is the formula, with its derivatives, finite and positive definite at the points of a rule in every cell?
 ///
 /// # Errors
 /// Names the first cell and point where it is not.
@@ -59,27 +61,55 @@ pub fn check_formula<M: SmoothTensor<N>, const N: usize>(
     g: &Smooth<'_, M, N>,
     rule: &Rule,
 ) -> Result<(), Error> {
-    let table = TensorField::<f64, N>::tabulate(g, rule.points());
+    let parts = |jet: &Jet2<f64, N>| {
+        let all = jet.dd.iter().flatten().chain(&jet.d).chain([&jet.value]);
+        all.fold(0.0, |sum: f64, part| sum + part.abs())
+    };
+    check_at(g, rule.points(), |local, table, q| {
+        let jets = g.jet2(local, table, q);
+        let finite = jets.iter().all(|jet| parts(jet).is_finite());
+        finite.then(|| jets.map(|jet| jet.value))
+    })
+}
+
+/// Is the formula finite and positive definite on the edges, at the points where interpolants of degree r look?
+///
+/// # Errors
+/// As [`check_formula`].
+pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    degree: usize,
+) -> Result<(), Error> {
+    let rule = Rule::new(1, 2 * degree + 12);
+    subsets(N + 1, 2).iter().try_for_each(|edge| {
+        let points = rule.points().embed(edge, N + 1);
+        check_at(g, &points, |local, table, q| {
+            let value = g.value(local, table, q);
+            value.iter().all(|x: &f64| x.is_finite()).then_some(value)
+        })
+    })
+}
+
+/// `finite` answers with g at the q-th point, if all that is wanted there is finite.
+fn check_at<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    points: &Points,
+    finite: impl Fn(&AffineMap<N>, &Vec<[f64; N]>, usize) -> Option<Mat<f64, N>>,
+) -> Result<(), Error> {
+    let table = TensorField::<f64, N>::tabulate(g, points);
     for cell in 0..g.mesh().cells() {
         let local = TensorField::<f64, N>::on_cell(g, cell);
-        for q in 0..rule.len() {
-            let jets = g.jet2(&local, &table, q);
-            let x = place(g, cell, rule.points().lambda(q));
-            let parts = |jet: &regge::jet::Jet2<f64, N>| {
-                let all = jet.dd.iter().flatten().chain(&jet.d).chain([&jet.value]);
-                all.fold(0.0, |sum: f64, part| sum + part.abs())
+        for q in 0..points.len() {
+            let refuse = |what: String| {
+                let x = place(g, cell, points.lambda(q));
+                let reason = format!("the metric {what} at x = {x:?}: check the formula there");
+                Err(Error::Cell { cell, reason })
             };
-            if jets.iter().any(|jet| !parts(jet).is_finite()) {
-                let reason = format!(
-                    "the metric or a derivative of it is not finite at x = {x:?}: it divides by zero there, say"
-                );
-                return Err(Error::Cell { cell, reason });
-            }
-            if let Some(pivot) = indefinite_pivot(&jets.map(|jet| jet.value)) {
-                let reason = format!(
-                    "the metric is not positive definite at x = {x:?} (pivot {pivot:e}): check the formula"
-                );
-                return Err(Error::Cell { cell, reason });
+            let Some(value) = finite(&local, &table, q) else {
+                return refuse("is not finite, or divides by zero,".into());
+            };
+            if let Some(pivot) = indefinite_pivot(&value) {
+                return refuse(format!("is not positive definite (pivot {pivot:e})"));
             }
         }
     }

@@ -1,10 +1,11 @@
 //! Gmsh's format, versions 2.2 and 4.1, as text and binary.
 
-use super::Parsed;
+use super::MeshFile;
 use super::cursor::{Cursor, Encoding};
 use super::elements::{Kind, kind};
 use crate::input::error::{Fault, Place};
 use std::collections::{HashMap, HashSet};
+use std::path::PathBuf;
 
 /// What has been read so far.
 #[derive(Default)]
@@ -17,8 +18,8 @@ struct Reader {
     tetrahedra: Vec<(Place, Vec<u64>)>,
 }
 
-/// The mesh in a file.
-pub fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
+/// The mesh in a file, whose name is added by the caller.
+pub fn parse(bytes: &[u8]) -> Result<MeshFile, Fault> {
     let cursor = &mut Cursor::new(bytes);
     let mut reader = Reader::default();
     reader.header(cursor)?;
@@ -221,7 +222,7 @@ impl Reader {
         Ok(())
     }
 
-    fn finish(self) -> Result<Parsed, Fault> {
+    fn finish(self) -> Result<MeshFile, Fault> {
         if let Some(place) = self.lost_triangle() {
             let reason =
                 "a triangle that is no face of a tetrahedron: the mesh is of mixed dimension";
@@ -247,7 +248,8 @@ impl Reader {
             cells.push(nodes.iter().map(find).collect::<Result<_, _>>()?);
             cell_places.push(place);
         }
-        Ok(Parsed {
+        Ok(MeshFile {
+            file: PathBuf::new(),
             dimension,
             vertices: self.vertex_places.len(),
             coordinates: self.coordinates,

@@ -1,8 +1,9 @@
 //! Our own JSON: `{"dimension": 4, "vertices": [[…], …], "cells": [[…], …]}`, without `vertices` an abstract manifold.
 
-use super::Parsed;
+use super::MeshFile;
 use crate::input::error::{Fault, Place};
 use serde::Deserialize;
+use std::path::PathBuf;
 
 /// The file as it stands.
 #[derive(Deserialize)]
@@ -13,8 +14,8 @@ struct Raw {
     cells: Vec<Vec<usize>>,
 }
 
-/// The mesh in a file.
-pub fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
+/// The mesh in a file, whose name is added by the caller.
+pub fn parse(bytes: &[u8]) -> Result<MeshFile, Fault> {
     let raw: Raw = serde_json::from_slice(bytes)
         .map_err(|error| Fault::new(Place::Line(error.line() as u64), error.to_string()))?;
     let n = raw.dimension;
@@ -31,7 +32,8 @@ pub fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
         Some(points) => (points.len(), coordinates(&points, n)?),
         None => (largest(&raw.cells)?, Vec::new()),
     };
-    Ok(Parsed {
+    Ok(MeshFile {
+        file: PathBuf::new(),
         dimension: n,
         vertices,
         coordinates,

@@ -31,17 +31,6 @@ pub struct MeshFile {
     cell_places: Vec<Place>,
 }
 
-/// What a reader makes of the bytes of a file.
-struct Parsed {
-    dimension: usize,
-    vertices: usize,
-    coordinates: Vec<f64>,
-    width: usize,
-    cells: Vec<Vec<usize>>,
-    vertex_places: Vec<Place>,
-    cell_places: Vec<Place>,
-}
-
 /// Reads a mesh: JSON if the file begins with a brace, Gmsh if it begins with `$`.
 ///
 /// # Errors
@@ -56,15 +45,9 @@ pub fn read_mesh(file: &Path) -> Result<MeshFile, InputError> {
             "is no mesh: neither Gmsh's ($MeshFormat) nor JSON ({)",
         )),
     };
-    let parsed = parsed.map_err(|fault| fault.of(file))?;
+    let mesh = parsed.map_err(|fault| fault.of(file))?;
     Ok(MeshFile {
         file: file.into(),
-        dimension: parsed.dimension,
-        vertices: parsed.vertices,
-        coordinates: parsed.coordinates,
-        width: parsed.width,
-        cells: parsed.cells,
-        vertex_places: parsed.vertex_places,
-        cell_places: parsed.cell_places,
+        ..mesh
     })
 }

@@ -91,19 +91,6 @@ fn binary(old: bool, big_endian: bool) -> Vec<u8> {
     out
 }
 
-fn file(parsed: Parsed) -> MeshFile {
-    MeshFile {
-        file: "mesh".into(),
-        dimension: parsed.dimension,
-        vertices: parsed.vertices,
-        coordinates: parsed.coordinates,
-        width: parsed.width,
-        cells: parsed.cells,
-        vertex_places: parsed.vertex_places,
-        cell_places: parsed.cell_places,
-    }
-}
-
 #[test]
 fn both_versions_are_read_as_text_and_as_bytes_of_either_order() {
     let mut all = vec![text(true).into_bytes(), text(false).into_bytes()];
@@ -111,7 +98,7 @@ fn both_versions_are_read_as_text_and_as_bytes_of_either_order() {
         all.extend([binary(old, true), binary(old, false)]);
     }
     for bytes in all {
-        let read = file(gmsh::parse(&bytes).unwrap_or_else(|fault| panic!("{fault:?}")));
+        let read = gmsh::parse(&bytes).unwrap_or_else(|fault| panic!("{fault:?}"));
         assert_eq!((read.dimension, read.vertices), (2, 5));
         assert_eq!(read.coordinates, NODES.concat());
         assert_eq!(read.cells[3], [3, 0, 4]);
@@ -144,7 +131,12 @@ fn what_is_no_mesh_is_refused_at_its_line() {
         ("5 0.5 0.5 0\n", "5 0.5 0.5 1\n", 14, "z = 1"),
         ("5 0.5 0.5 0\n", "5 0.5 0 0\n", 19, "degenerate"),
         ("5 0.5 0.5 0\n", "5 0.5 -1 0\n", 22, "same side"),
-        ("5 2 2 7 1 4 1 5\n", "5 2 2 7 1 1 2 5\n", 22, "share this face"),
+        (
+            "5 2 2 7 1 4 1 5\n",
+            "5 2 2 7 1 1 2 5\n",
+            22,
+            "share this face",
+        ),
         ("2 2 2 7 1 1 2 5", "2 3 2 7 1 1 2 5 4", 19, "quadrangle"),
         (
             "2 2 2 7 1 1 2 5",
@@ -166,7 +158,7 @@ fn what_is_no_mesh_is_refused_at_its_line() {
         let (place, reason) = match gmsh::parse(changed.as_bytes()) {
             Err(fault) => (fault.place, fault.reason),
             Ok(parsed) => {
-                let error = file(parsed).mesh::<2>().expect_err(to);
+                let error = parsed.mesh::<2>().expect_err(to);
                 (error.place, error.reason)
             }
         };
@@ -179,7 +171,10 @@ fn what_is_no_mesh_is_refused_at_its_line() {
 fn a_hanging_node_and_an_orphan_are_named() {
     let hanging = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[1,1],[0.5,0.5]],
         "cells": [[0,1,2],[1,3,4],[3,2,4]]}"#;
-    let error = file(json::parse(hanging.as_bytes()).ok().expect("JSON")).mesh::<2>();
+    let error = json::parse(hanging.as_bytes())
+        .ok()
+        .expect("JSON")
+        .mesh::<2>();
     assert!(
         error
             .expect_err("hanging")
@@ -187,7 +182,10 @@ fn a_hanging_node_and_an_orphan_are_named() {
             .contains("vertex 4 hangs")
     );
     let orphan = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[1,1]], "cells": [[0,1,2]]}"#;
-    let error = file(json::parse(orphan.as_bytes()).ok().expect("JSON")).mesh::<2>();
+    let error = json::parse(orphan.as_bytes())
+        .ok()
+        .expect("JSON")
+        .mesh::<2>();
     assert!(
         error
             .expect_err("orphan")
