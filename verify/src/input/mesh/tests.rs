@@ -171,10 +171,7 @@ fn what_is_no_mesh_is_refused_at_its_line() {
 fn a_hanging_node_and_an_orphan_are_named() {
     let hanging = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[1,1],[0.5,0.5]],
         "cells": [[0,1,2],[1,3,4],[3,2,4]]}"#;
-    let error = json::parse(hanging.as_bytes())
-        .ok()
-        .expect("JSON")
-        .mesh::<2>();
+    let error = json::parse(hanging.as_bytes()).expect("JSON").mesh::<2>();
     assert!(
         error
             .expect_err("hanging")
@@ -182,10 +179,7 @@ fn a_hanging_node_and_an_orphan_are_named() {
             .contains("vertex 4 hangs")
     );
     let orphan = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[1,1]], "cells": [[0,1,2]]}"#;
-    let error = json::parse(orphan.as_bytes())
-        .ok()
-        .expect("JSON")
-        .mesh::<2>();
+    let error = json::parse(orphan.as_bytes()).expect("JSON").mesh::<2>();
     assert!(
         error
             .expect_err("orphan")
@@ -201,6 +195,6 @@ fn no_count_is_trusted() {
     let nodes = format!("{header}$Nodes\n{huge} {huge} 1 {huge}\n2 1 0 {huge}\n1\n");
     assert!(gmsh::parse(nodes.as_bytes()).is_err());
     let cells = r#"{"dimension": 2, "cells": [[0, 1, 1000000000000]]}"#;
-    let fault = json::parse(cells.as_bytes()).err().expect("refused");
+    let fault = json::parse(cells.as_bytes()).expect_err("refused");
     assert!(fault.reason.contains("vertex 1000000000000"));
 }
