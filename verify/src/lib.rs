@@ -4,9 +4,11 @@
 
 pub mod claim;
 pub mod claims;
+pub mod curvature;
 pub mod errata;
 pub mod exact;
 pub mod exact_rule;
+pub mod input;
 pub mod instance;
 pub mod oracle;
 pub mod plot;

@@ -1,6 +1,7 @@
 //! The command line: arguments in, tables, files and exit codes out. Only here is anything printed.
 
 mod converge;
+mod curvature;
 mod job;
 mod notes;
 mod output;
@@ -24,6 +25,7 @@ Examples:
   regge reproduce table2 --levels 0..=2   Table 2, N = 3, on three meshes
   regge reproduce figure2                 the critical term, averaged and canonical interpolant
   regge converge --metric trig --dimension 3 --degree 1 --levels 0..=3 --plot trig.svg
+  regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json
 
 Exit codes: 0 done, 1 a computation or a file failed, 2 bad arguments.";
 
@@ -42,6 +44,7 @@ enum Command {
     Reproduce(reproduce::Args),
     Converge(converge::Args),
     Verify(verify::Args),
+    Curvature(curvature::Args),
 }
 
 /// Runs the command line of this process.
@@ -74,6 +77,7 @@ fn run(command: Command) -> Result<(), Stop> {
         Command::Reproduce(args) => args.run(),
         Command::Converge(args) => args.run(),
         Command::Verify(args) => args.run(),
+        Command::Curvature(args) => args.run(),
     }
 }
 

@@ -7,6 +7,8 @@ use std::io::{self, ErrorKind, Write};
 pub enum Stop {
     /// The arguments make no sense.
     Usage(String),
+    /// A file that was given makes no sense.
+    Input(String),
     /// A computation or a file failed.
     Failed(String),
 }
@@ -15,7 +17,7 @@ impl Stop {
     /// The exit code.
     pub fn code(&self) -> u8 {
         match self {
-            Self::Usage(_) => 2,
+            Self::Usage(_) | Self::Input(_) => 2,
             Self::Failed(_) => 1,
         }
     }
@@ -24,7 +26,7 @@ impl Stop {
     pub fn report(&self, to: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Usage(reason) => writeln!(to, "regge: {reason} (see --help)"),
-            Self::Failed(reason) => writeln!(to, "regge: {reason}"),
+            Self::Input(reason) | Self::Failed(reason) => writeln!(to, "regge: {reason}"),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each test file uses a part")]
 
+pub mod files;
+
 use regge::metrics::Metric;
 use regge_verify::study::{Case, Interpolation, ProjectionKind, Quadrature, Quantity, Row, Study};
 use std::ops::RangeInclusive;

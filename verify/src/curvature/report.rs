@@ -1,0 +1,116 @@
+//! What `regge curvature` writes.
+
+use serde::Serialize;
+
+/// The curvature of a Regge metric on a mesh from a file.
+#[derive(Clone, Debug, Serialize)]
+pub struct CurvatureReport {
+    /// The version of the program.
+    pub version: &'static str,
+    /// The mesh file.
+    pub mesh: String,
+    /// N.
+    pub dimension: usize,
+    /// Cells of the mesh.
+    pub cell_count: usize,
+    /// No boundary?
+    pub closed: bool,
+    /// r.
+    pub degree: usize,
+    /// How the Regge metric was made: the interpolant's name, or `lengths`.
+    pub interpolant: String,
+    /// The quadrature of the sums.
+    pub quadrature: QuadratureUsed,
+    /// What boundary terms are in the sums: `none`, the paper's choice.
+    pub boundary: &'static str,
+    /// Σ_T ∫ R + 2 Σ̊_F ∫ ⟦H⟧ + 2 Σ̊_S ∫ Θ_S: the functional at v = 1.
+    pub total_curvature: f64,
+    /// Σ_k (−1)^k |𝒯^k|.
+    pub euler_characteristic: i64,
+    /// Total curvature − 4πχ, for closed surfaces.
+    pub gauss_bonnet_residual: Option<f64>,
+    /// The error in H⁻², if asked for.
+    pub hm2: Option<NormError>,
+    /// The hat functions of the interior vertices.
+    pub vertices: Vec<VertexSums>,
+    /// All test functions of the degree asked for that vanish on the boundary.
+    pub test_functions: Option<Vec<TestSums>>,
+    /// The interior hinges.
+    pub hinges: Vec<HingeDefect>,
+    /// The interior faces.
+    pub faces: Vec<FaceJump>,
+    /// ∫ R ω of the cells, in the order of the file.
+    pub cells: Vec<f64>,
+}
+
+/// By which order was integrated, and what the last raise of it changed.
+#[derive(Clone, Debug, Serialize)]
+pub struct QuadratureUsed {
+    /// The order of the rules on cells, faces and hinges.
+    pub order: usize,
+    /// The largest change of a sum by the last raise, relative to the largest sum; null if the order was given.
+    pub change: Option<f64>,
+    /// Is that below what was wanted? null if the order was given.
+    pub settled: Option<bool>,
+}
+
+/// ‖(Rω)_dist(g_h) − (Rω)(g)‖ in H⁻².
+#[derive(Clone, Debug, Serialize)]
+pub struct NormError {
+    /// The error.
+    pub error: f64,
+    /// The degree of the auxiliary plate's deflection: r + 2.
+    pub degree: usize,
+    /// The quadrature of the functionals.
+    pub quadrature: QuadratureUsed,
+}
+
+/// The three sums for the hat function of a vertex, factors 2 included.
+#[derive(Clone, Debug, Serialize)]
+pub struct VertexSums {
+    /// Its index in the file, from 0.
+    pub vertex: usize,
+    /// Σ_T.
+    pub element: f64,
+    /// Σ_F.
+    pub face: f64,
+    /// Σ_S.
+    pub hinge: f64,
+    /// Their sum.
+    pub total: f64,
+}
+
+/// The three sums for one of Bernstein's basis functions.
+#[derive(Clone, Debug, Serialize)]
+pub struct TestSums {
+    /// The vertices of the simplex that carries the function.
+    pub simplex: Vec<u32>,
+    /// Σ_T.
+    pub element: f64,
+    /// Σ_F.
+    pub face: f64,
+    /// Σ_S.
+    pub hinge: f64,
+    /// Their sum.
+    pub total: f64,
+}
+
+/// A hinge.
+#[derive(Clone, Debug, Serialize)]
+pub struct HingeDefect {
+    /// Its vertices.
+    pub vertices: Vec<u32>,
+    /// Θ_S at its barycentre.
+    pub defect: f64,
+    /// |S|.
+    pub volume: f64,
+}
+
+/// A face.
+#[derive(Clone, Debug, Serialize)]
+pub struct FaceJump {
+    /// Its vertices.
+    pub vertices: Vec<u32>,
+    /// ∫ ⟦H⟧ ω_F.
+    pub jump: f64,
+}

@@ -1,0 +1,62 @@
+//! The order of quadrature is raised until nothing changes.
+
+use regge::Error;
+
+/// By how much the sums may still change, relative to the largest.
+pub const SUMS_SETTLE: f64 = 1e-8;
+/// By how much the norm may still change, relative to itself.
+pub const NORM_SETTLES: f64 = 1e-7;
+/// The highest order that is tried.
+pub const LARGEST_ORDER: usize = 48;
+/// The order is raised by this much at a time.
+const STEP: usize = 4;
+
+/// What was computed, and by which order.
+#[derive(Clone, Debug)]
+pub struct Settled<T> {
+    /// What was computed.
+    pub value: T,
+    /// The order of the rules.
+    pub order: usize,
+    /// How much the last raise changed it, relatively; None if the order was given.
+    pub change: Option<f64>,
+}
+
+/// Computes by rising orders from `first` on until `change` is at most `limit`, or the orders are exhausted.
+///
+/// # Errors
+/// Those of `compute`.
+pub fn settle<T>(
+    first: usize,
+    limit: f64,
+    mut compute: impl FnMut(usize) -> Result<T, Error>,
+    change: impl Fn(&T, &T) -> f64,
+) -> Result<Settled<T>, Error> {
+    let mut value = compute(first)?;
+    let (mut order, mut last) = (first, f64::INFINITY);
+    // NaN never settles: it is for the caller to see.
+    while order + STEP <= LARGEST_ORDER && last > limit {
+        let next = compute(order + STEP)?;
+        last = change(&value, &next);
+        (value, order) = (next, order + STEP);
+    }
+    Ok(Settled {
+        value,
+        order,
+        change: last.is_finite().then_some(last),
+    })
+}
+
+/// The largest difference of two lists, relative to the largest entry of the second.
+pub fn relative_change<'a>(
+    before: impl Iterator<Item = &'a f64>,
+    after: impl Iterator<Item = &'a f64>,
+) -> f64 {
+    let (mut difference, mut scale) = (0.0f64, 0.0f64);
+    for (a, b) in before.zip(after) {
+        difference = difference.max((a - b).abs());
+        scale = scale.max(b.abs());
+    }
+    // The scale of a flat metric is rounding: below 1e-5 it is held, so that changes of 1e-13 settle.
+    difference / scale.max(1e-5)
+}

@@ -1,0 +1,117 @@
+//! ∫ R(g) v ω of the smooth metric, where R(g) is stated by a formula.
+
+use crate::input::expression::Expression;
+use regge::field::TensorField;
+use regge::jet::Jet2;
+use regge::lagrange::Lagrange;
+use regge::linalg::{Mat, indefinite_pivot};
+use regge::quadrature::Rule;
+use regge::simplex::{Points, subsets};
+use regge::smooth::{AffineMap, Smooth, SmoothTensor};
+use regge::{Error, linalg::inverse_and_det};
+
+/// Σ_T ∫_T R v ω for every basis function v, with R by its own formula.
+pub fn stated_curvature<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    exact: &Expression,
+    space: &Lagrange<'_, N>,
+    rule: &Rule,
+) -> Vec<f64> {
+    let mesh = space.mesh();
+    let basis = space.basis(N).tabulate::<f64>(rule.points());
+    let table = TensorField::<f64, N>::tabulate(g, rule.points());
+    let mut load = vec![0.0; space.len()];
+    for cell in 0..mesh.cells() {
+        let local = TensorField::<f64, N>::on_cell(g, cell);
+        for (q, weight) in rule.weights().iter().enumerate() {
+            let x = place(g, cell, rule.points().lambda(q));
+            let (_, det) = inverse_and_det(&g.value(&local, &table, q));
+            let density = exact.at(&x) * det.sqrt() * weight;
+            for (dof, value) in space.cell_dofs(cell).zip(&basis[q]) {
+                load[dof] += density * value;
+            }
+        }
+    }
+    load
+}
+
+/// The point with these barycentric coordinates in ℝ^N.
+fn place<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    cell: usize,
+    lambda: &[f64],
+) -> [f64; N] {
+    let mut x = [0.0; N];
+    for (i, l) in lambda.iter().enumerate() {
+        // A formula lives on meshes with coordinates only.
+        if let Some(corner) = g.mesh().corner(cell, i) {
+            for a in 0..N {
+                x[a] += l * corner[a];
+            }
+        }
+    }
+    x
+}
+
+/// Is the formula, with its derivatives, finite and positive definite at the points of a rule in every cell?
+///
+/// # Errors
+/// Names the first cell and point where it is not.
+pub fn check_formula<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    rule: &Rule,
+) -> Result<(), Error> {
+    let parts = |jet: &Jet2<f64, N>| {
+        let all = jet.dd.iter().flatten().chain(&jet.d).chain([&jet.value]);
+        all.fold(0.0, |sum: f64, part| sum + part.abs())
+    };
+    check_at(g, rule.points(), |local, table, q| {
+        let jets = g.jet2(local, table, q);
+        let finite = jets.iter().all(|jet| parts(jet).is_finite());
+        finite.then(|| jets.map(|jet| jet.value))
+    })
+}
+
+/// Is the formula finite and positive definite on the edges, at the points where interpolants of degree r look?
+///
+/// # Errors
+/// As [`check_formula`].
+pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    degree: usize,
+) -> Result<(), Error> {
+    let rule = Rule::new(1, 2 * degree + 12);
+    subsets(N + 1, 2).iter().try_for_each(|edge| {
+        let points = rule.points().embed(edge, N + 1);
+        check_at(g, &points, |local, table, q| {
+            let value = g.value(local, table, q);
+            value.iter().all(|x: &f64| x.is_finite()).then_some(value)
+        })
+    })
+}
+
+/// `finite` answers with g at the q-th point, if all that is wanted there is finite.
+fn check_at<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    points: &Points,
+    finite: impl Fn(&AffineMap<N>, &Vec<[f64; N]>, usize) -> Option<Mat<f64, N>>,
+) -> Result<(), Error> {
+    let table = TensorField::<f64, N>::tabulate(g, points);
+    for cell in 0..g.mesh().cells() {
+        let local = TensorField::<f64, N>::on_cell(g, cell);
+        for q in 0..points.len() {
+            let refuse = |what: String| {
+                let x = place(g, cell, points.lambda(q));
+                let reason = format!("the metric {what} at x = {x:?}: check the formula there");
+                Err(Error::Cell { cell, reason })
+            };
+            let Some(value) = finite(&local, &table, q) else {
+                return refuse("is not finite, or divides by zero,".into());
+            };
+            if let Some(pivot) = indefinite_pivot(&value) {
+                return refuse(format!("is not positive definite (pivot {pivot:e})"));
+            }
+        }
+    }
+    Ok(())
+}

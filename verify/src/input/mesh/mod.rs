@@ -1,0 +1,53 @@
+//! Meshes from files: Gmsh 2.2 and 4.1, text and binary, and our own JSON.
+
+mod build;
+mod cursor;
+mod elements;
+mod gmsh;
+mod hanging;
+mod json;
+#[cfg(test)]
+mod tests;
+
+use super::error::{Fault, InputError, Place, bytes_of};
+use std::path::{Path, PathBuf};
+
+/// A mesh file that has been read, of whatever dimension, with the places of its parts.
+#[derive(Clone, Debug)]
+pub struct MeshFile {
+    /// The file.
+    pub file: PathBuf,
+    /// N.
+    pub dimension: usize,
+    /// How many vertices.
+    pub vertices: usize,
+    /// Coordinates, `width` of them for each vertex in the order of the file; none for an abstract manifold.
+    pub coordinates: Vec<f64>,
+    /// How many coordinates a vertex has: N, or 3 in Gmsh's files.
+    pub width: usize,
+    /// N+1 vertices a cell, by their index in the file.
+    pub cells: Vec<Vec<usize>>,
+    vertex_places: Vec<Place>,
+    cell_places: Vec<Place>,
+}
+
+/// Reads a mesh: JSON if the file begins with a brace, Gmsh if it begins with `$`.
+///
+/// # Errors
+/// Names the file, the line or byte, and what is wrong.
+pub fn read_mesh(file: &Path) -> Result<MeshFile, InputError> {
+    let bytes = bytes_of(file)?;
+    let parsed = match bytes.iter().find(|b| !b.is_ascii_whitespace()) {
+        Some(b'{') => json::parse(&bytes),
+        Some(b'$') => gmsh::parse(&bytes),
+        _ => Err(Fault::new(
+            Place::Whole,
+            "is no mesh: neither Gmsh's ($MeshFormat) nor JSON ({)",
+        )),
+    };
+    let mesh = parsed.map_err(|fault| fault.of(file))?;
+    Ok(MeshFile {
+        file: file.into(),
+        ..mesh
+    })
+}

@@ -1,0 +1,40 @@
+//! Files and runs of `regge curvature`.
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A square of four triangles.
+pub const SQUARE: &str = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[1,1],[0,1],[0.5,0.5]],
+ "cells": [[0,1,4],[1,2,4],[2,3,4],[3,0,4]]}"#;
+
+/// A folder of its own for each test.
+pub fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("curvature-{name}"));
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+/// Writes a file.
+pub fn write(folder: &Path, name: &str, text: &str) {
+    fs::write(folder.join(name), text).expect("a file");
+}
+
+/// Runs `regge curvature`.
+pub fn regge(folder: &Path, arguments: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_regge"));
+    let arguments = arguments.split_whitespace();
+    let command = command.current_dir(folder).arg("curvature").args(arguments);
+    command.output().expect("the program runs")
+}
+
+/// The JSON that the command writes.
+pub fn curvature(folder: &Path, arguments: &str) -> Value {
+    let output = regge(folder, &format!("{arguments} --json out.json"));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments}: {said}");
+    let text = fs::read_to_string(folder.join("out.json")).expect("a file");
+    serde_json::from_str(&text).expect("JSON")
+}
