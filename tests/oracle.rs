@@ -135,3 +135,37 @@ fn norms_agree_with_every_oracle() {
         }
     }
 }
+
+/// eq. integralformula: ⟨(Rω)_dist(g_h) − (Rω)(g), v⟩ = ∫₀¹ (b_h − a_h)((1−t)g + t g_h; g_h − g, v) dt. At order 24
+/// the quadrature error is below 2e-12 of sums of size 0.1 (1e-9 at order 16, 4e-11 at order 20).
+#[test]
+fn the_integral_formula_holds_on_an_oracle() {
+    let oracle = load_all()
+        .into_iter()
+        .find(|o| o.name == "n3-structured-k1-r2")
+        .expect("the case");
+    let mesh = oracle.mesh::<3>();
+    let space = oracle.space(&mesh);
+    let g_h = oracle.metric(&space);
+    let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
+    let test = Lagrange::new(&mesh, 4);
+    let rules = Rules::new::<3>(24);
+    let mut difference = distributional_curvature::<Lanes, _, _>(&g_h, &test, &rules).total();
+    let smooth = smooth_curvature::<Lanes, _, _>(&g, &test, &rules.element);
+    let sigma = Combination::new(-Lanes::one(), &g, Lanes::one(), &g_h);
+    let (nodes, weights) = gauss_legendre(6);
+    for (t, w) in nodes.into_iter().zip(weights) {
+        let segment = Combination::segment(&g, &g_h, Lanes::from_f64(t));
+        let b = b_h::<Lanes, _, _, _>(&segment, &sigma, &test, &rules).total();
+        let a = a_h::<Lanes, _, _, _>(&segment, &sigma, &test, &rules).total();
+        for (i, d) in difference.iter_mut().enumerate() {
+            *d -= w * (b[i] - a[i]);
+        }
+    }
+    for dof in (0..test.len()).filter(|&d| test.vanishes_on_boundary(d)) {
+        assert!(
+            (difference[dof] - smooth[dof]).abs() < 5e-12,
+            "test function {dof}"
+        );
+    }
+}
