@@ -85,7 +85,10 @@ impl<const N: usize> TensorField<f64, N> for Tangent<'_, '_, N> {
         (lambda, TensorField::<f64, N>::tabulate(self.g, points))
     }
     fn on_cell(&self, cell: usize) -> Self::Local {
-        (self.on_edges(cell), self.g.local(cell))
+        (
+            self.on_edges(cell),
+            TensorField::<f64, N>::on_cell(self.g, cell),
+        )
     }
     /// (L_X g)_mn = Xᵏ∂_k g_mn + g_kn ∂_m Xᵏ + g_mk ∂_n Xᵏ.
     fn jet2(&self, local: &Self::Local, table: &Self::Table, q: usize) -> Mat<Jet2<f64, N>, N> {
