@@ -53,7 +53,7 @@
 //! | 2 | [`jet`], [`quadrature`], [`mesh`], [`field`] |
 //! | 3 | [`riemann`] |
 //! | 4 | [`hypersurface`], [`hinge`], [`formulas`] |
-//! | 5 | [`regge`](crate::regge), [`lagrange`], [`smooth`], [`metrics`] |
+//! | 5 | [`mod@regge`], [`lagrange`], [`smooth`], [`metrics`] |
 //! | 6 | [`functional`] |
 //! | 7 | `norm` (feature `norms`) |
 //!

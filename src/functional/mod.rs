@@ -9,7 +9,7 @@
 //! | [`integrate`] | any density on k-simplices, seen from the cells around | |
 //!
 //! The three sums over cells T, faces F and hinges S are kept apart. Every function has a twin `…_with` that takes
-//! the [`Formulas`] to use.
+//! the [`Formulas`](crate::formulas::Formulas) to use.
 
 mod curvature;
 mod integrate;
