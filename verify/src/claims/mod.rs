@@ -51,9 +51,9 @@ pub fn catalogue() -> Catalogue {
         pointwise::<Paper, 3>(&mut all);
         pointwise::<Paper, 4>(&mut all);
         pointwise::<Paper, 5>(&mut all);
+        on_simplex::<Paper>(&mut all);
+        mesh::checks::<Paper>(&mut all);
     }
-    on_simplex::<Paper>(&mut all);
-    mesh::checks::<Paper>(&mut all);
     // Row by row; the dimensions and methods of one claim stay together.
     all.sort_by_key(|c| c.record().label);
     all
