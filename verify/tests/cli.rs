@@ -1,6 +1,6 @@
 //! The program as its users meet it: arguments, exit codes, files.
 
-use regge_verify::study::Report;
+use regge_study::Report;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

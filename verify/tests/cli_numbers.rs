@@ -6,7 +6,7 @@
 mod common;
 
 use common::{as_printed, assert_close, errors, rows, study};
-use regge_verify::study::{Interpolation, Quantity, Row, Study};
+use regge_study::{Interpolation, Quantity, Row, Study};
 
 #[test]
 fn level_zero_with_converged_quadrature() {

@@ -9,8 +9,8 @@ use regge::metrics::Metric;
 use regge::regge::{Interpolant, ReggeSpace};
 use regge::scalar::Lanes;
 use regge::smooth::Smooth;
-use regge_verify::printed::SERIES;
-use regge_verify::study::{
+use regge_study::printed::SERIES;
+use regge_study::{
     Case, Interpolation, LoadQuadrature, Quadrature, Quantity, Study, converged_order, mesh,
     mesh_seed, printed_rule,
 };

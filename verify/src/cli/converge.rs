@@ -5,7 +5,7 @@ use super::reproduce::{DEFAULT_SEED, Orders};
 use super::stop::Stop;
 use super::values::{Levels, named};
 use regge::metrics::Metric;
-use regge_verify::study::{Case, Interpolation, Named, ProjectionKind, Quantity, Study};
+use regge_study::{Case, Interpolation, Named, ProjectionKind, Quantity, Study};
 use std::path::PathBuf;
 
 const DETAILS: &str = "\

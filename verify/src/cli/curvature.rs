@@ -3,11 +3,11 @@
 use super::output;
 use super::stop::{Out, Stop};
 use super::values::named;
+use regge_study::{Interpolation, LARGEST_DEGREE};
 use regge_verify::curvature::{CurvatureError, CurvatureReport, Request, Source, curvature};
 use regge_verify::input::InputError;
 use regge_verify::input::mesh::read_mesh;
 use regge_verify::input::metric::read_metric;
-use regge_verify::study::{Interpolation, LARGEST_DEGREE};
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::PathBuf;

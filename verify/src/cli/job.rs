@@ -3,7 +3,7 @@
 use super::progress::Progress;
 use super::stop::{Out, Stop};
 use super::{notes, output, picture, table};
-use regge_verify::study::{Event, Report, Row, Study};
+use regge_study::{Event, Report, Row, Study};
 use std::io::{self, Write};
 use std::path::PathBuf;
 

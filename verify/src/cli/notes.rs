@@ -1,6 +1,6 @@
 //! What must be said beside the numbers: where they differ from the printed ones, and why.
 
-use regge_verify::study::{Interpolation, LoadQuadrature, Quantity, Row, Study};
+use regge_study::{Interpolation, LoadQuadrature, Quantity, Row, Study};
 
 /// The notes for a study that has rows with printed counterparts; none otherwise.
 pub fn of(study: &Study, rows: &[Row]) -> Vec<String> {

@@ -2,8 +2,8 @@
 
 use super::stop::Stop;
 use regge::metrics::Metric;
+use regge_study::{Interpolation, Named, Quantity, ROUNDING, Report, Row, Study};
 use regge_verify::plot::{Curve, Figure, Guide};
-use regge_verify::study::{Interpolation, Named, Quantity, ROUNDING, Report, Row, Study};
 
 /// The SVG.
 pub fn svg(study: &Study, report: &Report, title: &str) -> Result<String, Stop> {

@@ -1,7 +1,7 @@
 //! The progress bar on standard error.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use regge_verify::study::{Event, Study};
+use regge_study::{Event, Study};
 use std::time::Duration;
 
 /// A bar that is as long as a study is work; it hides by itself where standard error is no terminal.

@@ -5,7 +5,7 @@ use super::stop::Stop;
 use super::values::{Levels, named};
 use clap::ValueEnum;
 use regge::metrics::Metric;
-use regge_verify::study::{
+use regge_study::{
     Case, Interpolation, LoadQuadrature, ProjectionKind, Quadrature, Quantity, Study,
 };
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! Rows as a table, each beside what the paper has.
 
 use regge::metrics::Metric;
-use regge_verify::printed;
-use regge_verify::study::{Interpolation, Named, Row, Study};
+use regge_study::printed;
+use regge_study::{Interpolation, Named, Row, Study};
 use std::io::{self, Write};
 
 /// Writes the table's head.

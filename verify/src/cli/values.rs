@@ -1,7 +1,7 @@
 //! Values of arguments: levels, and things known by name.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use regge_verify::study::Named;
+use regge_study::Named;
 use std::str::FromStr;
 
 /// Levels k, ascending: `0..=7`, `0..8` or `3`.

@@ -3,9 +3,9 @@
 use super::output;
 use super::stop::{Out, Stop};
 use indicatif::{ProgressBar, ProgressStyle};
-use regge_verify::claims::records;
-use regge_verify::report::{Report, document, pages};
-use regge_verify::{Options, run};
+use regge_catalogue::claims::records;
+use regge_catalogue::report::{Report, document, pages};
+use regge_catalogue::{Options, run};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 

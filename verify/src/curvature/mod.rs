@@ -14,11 +14,11 @@ use crate::input::InputError;
 use crate::input::mesh::MeshFile;
 use crate::input::metric::MetricFile;
 use crate::input::read_lengths;
-use crate::study::{Interpolation, Named, ProjectionKind};
 use evaluate::Evaluation;
 use regge::quadrature::Rule;
 use regge::regge::ReggeSpace;
 use regge::smooth::Smooth;
+use regge_study::{Interpolation, Named, ProjectionKind};
 use std::path::PathBuf;
 
 /// Where the Regge metric comes from.

@@ -4,7 +4,7 @@
 pub mod files;
 
 use regge::metrics::Metric;
-use regge_verify::study::{Case, Interpolation, ProjectionKind, Quadrature, Quantity, Row, Study};
+use regge_study::{Case, Interpolation, ProjectionKind, Quadrature, Quantity, Row, Study};
 use std::ops::RangeInclusive;
 
 /// The seed that the command line uses unless told otherwise.

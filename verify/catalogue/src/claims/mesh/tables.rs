@@ -2,9 +2,9 @@
 
 use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape};
 use crate::claim::{Equation, Judgement, Method, Record};
-use crate::printed::{SERIES, Series};
-use crate::study::{Quantity, observed_order};
 use regge::formulas::Formulas;
+use regge_study::printed::{SERIES, Series};
+use regge_study::{Quantity, observed_order};
 
 /// The tables agree with the plots.
 pub struct N05;

@@ -4,7 +4,7 @@
 //! tables. Source: scalar-curvature.tex, section 5, figures `fig:conv_plot`, `fig:conv_plot_crit_term` and tables
 //! `tab:error_N2`, `tab:error_N3`.
 
-use crate::study::{Interpolation, Quantity, observed_order};
+use crate::{Interpolation, Quantity, observed_order};
 use regge::metrics::Metric;
 
 /// One curve of a figure of the paper.

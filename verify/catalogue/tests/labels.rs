@@ -1,9 +1,9 @@
 //! Every label of the paper has a home in the catalogue or a reason to have none.
 
-use regge_verify::claims::records;
+use regge_catalogue::claims::records;
 use std::collections::{BTreeMap, BTreeSet};
 
-const LABELS: &str = include_str!("../../docs/verification/labels.toml");
+const LABELS: &str = include_str!("../../../docs/verification/labels.toml");
 const KINDS: [&str; 8] = [
     "claim",
     "definition",

@@ -5,6 +5,7 @@
 
 mod interpolation;
 mod named;
+pub mod printed;
 mod printed_rules;
 mod quantity;
 mod report;

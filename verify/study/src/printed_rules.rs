@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 /// Rules as the original program (NGSolve) had them: reference points and weights on the simplex with vertices
 /// e_1, …, e_N, 0, keyed by shape and order.
-const PRINTED: &str = include_str!("../../data/printed-quadrature.json");
+const PRINTED: &str = include_str!("../data/printed-quadrature.json");
 
 #[derive(Deserialize)]
 struct Table {

@@ -3,14 +3,14 @@
 use super::fields::{function, torn, variation};
 use super::setting::{Draw, OnMesh, Setting, Shape, grid};
 use crate::claim::{Equation, Judgement, Method, Record};
-use crate::printed::SERIES;
-use crate::study::Quantity;
 use regge::formulas::Formulas;
 use regge::mesh::{Mesh, Slot};
 use regge::metrics::Metric;
 use regge::regge::{Canonical, Interpolant, Projection, ReggeSpace, dofs_per_simplex};
 use regge::simplex::binomial;
 use regge::smooth::Smooth;
+use regge_study::Quantity;
+use regge_study::printed::SERIES;
 
 /// Duality, J_h, and averaging.
 pub struct I29;

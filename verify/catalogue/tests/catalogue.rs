@@ -1,8 +1,8 @@
 //! The catalogue holds, by a quicker draw than that of the command.
 
-use regge_verify::claims::records;
-use regge_verify::report::{document, pages};
-use regge_verify::{Options, run};
+use regge_catalogue::claims::records;
+use regge_catalogue::report::{document, pages};
+use regge_catalogue::{Options, run};
 
 #[test]
 fn every_claim_holds_and_every_forgery_is_caught() {

@@ -51,7 +51,7 @@ macro_rules! case {
     ($name:literal) => {
         include_str!(concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/../tests/oracle/",
+            "/../../tests/oracle/",
             $name,
             ".json"
         ))

@@ -9,9 +9,9 @@ use regge::jet::Jet;
 use regge::linalg::{Mat, Vector};
 use regge::riemann::Connection;
 use regge::scalar::{Algebraic, Field};
-use regge_verify::claims::{Catalogue, mesh};
-use regge_verify::report::Verdict;
-use regge_verify::{Options, run_catalogue};
+use regge_catalogue::claims::{Catalogue, mesh};
+use regge_catalogue::report::Verdict;
+use regge_catalogue::{Options, run_catalogue};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU8, Ordering};
 

@@ -1,11 +1,10 @@
 //! The errata of the paper, with numbers computed here.
 //!
-//! [`page`] makes docs/errata.md; `verify/tests/errata.rs` keeps the committed page up to date.
+//! [`page`] makes docs/errata.md; `verify/catalogue/tests/errata.rs` keeps the committed page up to date.
 
 use crate::claim::seed::Key;
 use crate::claims::mesh::second_variation;
 use crate::claims::mesh::setting::Draw;
-use crate::study::{Case, Interpolation, ProjectionKind, Quadrature, Quantity, Study};
 use regge::Error;
 use regge::linalg::{Mat, symmetric};
 use regge::mesh::Mesh;
@@ -13,6 +12,7 @@ use regge::metrics::Metric;
 use regge::regge::{Canonical, ReggeSpace};
 use regge::scalar::Real;
 use regge::smooth::{Smooth, SmoothTensor};
+use regge_study::{Case, Interpolation, ProjectionKind, Quadrature, Quantity, Study};
 
 /// d²/dt² of the total curvature at the flat torus by hyper-dual numbers, and the printed formula for it.
 pub fn conormal() -> (f64, f64) {
@@ -116,7 +116,7 @@ fn scaling_section() -> Result<String, Error> {
         rows += &format!("| {k} | {value:.6} | {norm:.6} | {:.4} |\n", value / norm);
     }
     Ok(format!(
-        "{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-verify --test errata`\n"
+        "{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-catalogue --test errata`\n"
     ))
 }
 
@@ -171,7 +171,7 @@ const HEAD: &str = "\
 
 What we found in E. S. Gawlik and M. Neunteufel, *Finite element approximation of scalar curvature in arbitrary
 dimension*, while verifying it. The theorems stand. Each entry says how to check it. This page is made by
-`verify/src/errata.rs`; a test compares it with what the program computes.
+`verify/catalogue/src/errata.rs`; a test compares it with what the program computes.
 ";
 
 const CONORMAL: &str = "\

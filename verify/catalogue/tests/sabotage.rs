@@ -9,9 +9,9 @@ use regge::jet::Jet;
 use regge::linalg::{Mat, Vector};
 use regge::riemann::Connection;
 use regge::scalar::{Algebraic, Field};
-use regge_verify::claims::{Catalogue, pointwise};
-use regge_verify::report::Report;
-use regge_verify::{Options, run_catalogue};
+use regge_catalogue::claims::{Catalogue, pointwise};
+use regge_catalogue::report::Report;
+use regge_catalogue::{Options, run_catalogue};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU8, Ordering};
 
