@@ -21,6 +21,7 @@ pub struct Hinge<F: Field, const N: usize> {
 
 impl<F: Field, const N: usize> Hinge<F, N> {
     /// From g⁻¹ at the point and the two outward covectors.
+    #[inline]
     pub fn new(inverse: &Mat<F, N>, nu: [&Vector<F, N>; 2]) -> Self {
         let raised = nu.map(|nu| apply(inverse, nu));
         let squares = [contract(nu[0], &raised[0]), contract(nu[1], &raised[1])];
@@ -34,6 +35,7 @@ impl<F: Field, const N: usize> Hinge<F, N> {
     }
 
     /// Tr(σ|_S) = Tr σ − [g^bb σ(ν_a,ν_a) − 2 g^ab σ(ν_a,ν_b) + g^aa σ(ν_b,ν_b)]/gram, the ν raised.
+    #[inline]
     pub fn trace(&self, inverse: &Mat<F, N>, sigma: &Mat<F, N>) -> F {
         let [a, b] = &self.raised;
         let mixed = self.product * form(sigma, a, b);
@@ -46,16 +48,19 @@ impl<F: Algebraic, const N: usize> Hinge<F, N> {
     /// (sin θ, cos θ) of the dihedral angle θ_ST ∈ (0, π), times √(g^aa g^bb): cos θ = −g(n_a, n_b).
     ///
     /// Paper: section 3.
+    #[inline]
     pub fn dihedral(&self) -> (F, F) {
         (self.gram.sqrt(), -self.product)
     }
 
     /// ω_S relative to the coordinate measure of {λ_a = λ_b = 0}: √(gram · det g). It is 1 when N = 2.
+    #[inline]
     pub fn omega_s(&self, det: F) -> F {
         (self.gram * det).sqrt()
     }
 
     /// The outward unit normal of face 0 (a) or 1 (b).
+    #[inline]
     pub fn normal(&self, face: usize) -> Vector<F, N> {
         let scale = F::one() / self.squares[face].sqrt();
         self.raised[face].map(|x| x * scale)
@@ -65,6 +70,7 @@ impl<F: Algebraic, const N: usize> Hinge<F, N> {
     ///
     /// The outward conormal of the face along S is ν_F = −τ. Paper: lemma:angledefectdot prints τ where −τ
     /// belongs.
+    #[inline]
     pub fn conormal(&self, face: usize) -> Vector<F, N> {
         let (own, other) = (self.squares[face], 1 - face);
         let slope = self.product / own;

@@ -23,6 +23,7 @@ pub struct Normal<F: Field, const N: usize> {
 
 impl<F: Algebraic, const N: usize> Normal<F, N> {
     /// n = g⁻¹ν/√(ν·g⁻¹ν). Paper: eq. (normal).
+    #[inline]
     pub fn new(inverse: &Mat<F, N>, nu: &Vector<F, N>) -> Self {
         let raised = apply(inverse, nu);
         let length = contract(nu, &raised).sqrt();
@@ -38,16 +39,19 @@ impl<F: Algebraic, const N: usize> Normal<F, N> {
 
 impl<F: Field, const N: usize> Normal<F, N> {
     /// Tr(σ|_F) = P^ij σ_ij.
+    #[inline]
     pub fn trace(&self, sigma: &Mat<F, N>) -> F {
         double_contract(&self.tangential, sigma)
     }
 
     /// ⟨α, σ|_F⟩ over F.
+    #[inline]
     pub fn inner(&self, alpha: &Mat<F, N>, sigma: &Mat<F, N>) -> F {
         inner(&self.tangential, alpha, sigma)
     }
 
     /// σ(n, n).
+    #[inline]
     pub fn normal_normal(&self, sigma: &Mat<F, N>) -> F {
         crate::linalg::form(sigma, &self.n, &self.n)
     }
@@ -56,6 +60,7 @@ impl<F: Field, const N: usize> Normal<F, N> {
 /// II(X, Y) = g(∇_X n, Y) = (∇_X ν)(Y)/|ν| for X, Y tangent to F; positive on a sphere with outward normal.
 ///
 /// Paper: section 2.2.
+#[inline]
 pub fn second_form<J: Jet<N>, const N: usize>(
     connection: &Connection<J::Lower, N>,
     nu: &Vector<J, N>,
@@ -66,6 +71,7 @@ pub fn second_form<J: Jet<N>, const N: usize>(
 }
 
 /// H = Tr II; (N−1)/ρ on the sphere of radius ρ.
+#[inline]
 pub fn mean_curvature<F: Field, const N: usize>(
     normal: &Normal<F, N>,
     second_form: &Mat<F, N>,
@@ -74,6 +80,7 @@ pub fn mean_curvature<F: Field, const N: usize>(
 }
 
 /// II‾ = II − H g. Paper: prop:Homegadot.
+#[inline]
 pub fn trace_reversed<F: Field, const N: usize>(
     g: &Mat<F, N>,
     second_form: &Mat<F, N>,
@@ -83,6 +90,7 @@ pub fn trace_reversed<F: Field, const N: usize>(
 }
 
 /// div_F α = Σ (∇_τ α)(τ) = P^ij (∇_i α)_j; needs α along F only.
+#[inline]
 pub fn surface_div<J: Jet<N>, const N: usize>(
     connection: &Connection<J::Lower, N>,
     normal: &Normal<J::Lower, N>,
@@ -92,6 +100,7 @@ pub fn surface_div<J: Jet<N>, const N: usize>(
 }
 
 /// ω_F relative to the coordinate measure of {λ_f = 0}, for ν = ∓dλ_f: √(ν·g⁻¹ν det g).
+#[inline]
 pub fn omega_f<F: Algebraic, const N: usize>(
     connection: &Connection<F, N>,
     nu: &Vector<F, N>,
@@ -101,6 +110,7 @@ pub fn omega_f<F: Algebraic, const N: usize>(
 }
 
 /// −dλ_f in reference coordinates, which points out of the cell across the face opposite to vertex f.
+#[inline]
 pub fn outward<F: Field, const N: usize>(opposite: usize) -> Vector<F, N> {
     Vector::from_fn(|i, _| match opposite {
         0 => F::one(),

@@ -27,11 +27,14 @@ pub fn identity<T: Field, const N: usize>() -> Mat<T, N> {
 #[inline]
 pub fn symmetric<T: Field, const N: usize>(entry: impl Fn(usize, usize) -> T) -> Mat<T, N> {
     let mut a = zeros();
+    // Loops with constant bounds can be unrolled.
     for i in 0..N {
-        for j in i..N {
-            let value = entry(i, j);
-            a[(i, j)] = value;
-            a[(j, i)] = value;
+        for j in 0..N {
+            if i <= j {
+                let value = entry(i, j);
+                a[(i, j)] = value;
+                a[(j, i)] = value;
+            }
         }
     }
     a
@@ -103,54 +106,83 @@ pub fn sandwich<T: Field, const N: usize>(b: &Mat<T, N>, a: &Mat<T, N>) -> Mat<T
     })
 }
 
-/// The factors of A = L D Lᵀ: L unit lower triangular below the diagonal, D on it.
+/// A = L D Lᵀ with L unit lower triangular.
+#[derive(Clone, Copy, Debug)]
+pub struct Ldlt<T: Field, const N: usize> {
+    /// L below the diagonal, D on it.
+    pub factors: Mat<T, N>,
+    /// 1/D.
+    pub reciprocals: [T; N],
+}
+
+/// The factors of A = L D Lᵀ.
 ///
 /// Without pivoting: A is symmetric and its leading minors do not vanish (positive definite matrices).
-pub fn ldlt<T: Field, const N: usize>(a: &Mat<T, N>) -> Mat<T, N> {
+#[inline]
+pub fn ldlt<T: Field, const N: usize>(a: &Mat<T, N>) -> Ldlt<T, N> {
     let mut f = *a;
+    let mut reciprocals = [T::zero(); N];
     for j in 0..N {
-        for k in 0..j {
-            let scaled = f[(j, k)] * f[(k, k)];
-            for i in j..N {
-                let l_ik = f[(i, k)];
-                f[(i, j)] -= l_ik * scaled;
+        for k in 0..N {
+            if k < j {
+                let scaled = f[(j, k)] * f[(k, k)];
+                for i in 0..N {
+                    if i >= j {
+                        let l_ik = f[(i, k)];
+                        f[(i, j)] -= l_ik * scaled;
+                    }
+                }
             }
         }
-        let d = T::one() / f[(j, j)];
-        for i in j + 1..N {
-            f[(i, j)] *= d;
+        reciprocals[j] = T::one() / f[(j, j)];
+        for i in 0..N {
+            if i > j {
+                f[(i, j)] *= reciprocals[j];
+            }
         }
     }
-    f
+    Ldlt {
+        factors: f,
+        reciprocals,
+    }
 }
 
 /// A⁻¹ and det A of a symmetric matrix with non-vanishing leading minors.
+#[inline]
 pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T) {
-    let f = ldlt(a);
-    let mut det = T::one();
-    for i in 0..N {
+    let Ldlt {
+        factors: f,
+        reciprocals,
+    } = ldlt(a);
+    let mut det = f[(0, 0)];
+    for i in 1..N {
         det *= f[(i, i)];
     }
     // M = L⁻¹, unit lower triangular.
-    let mut m = identity::<T, N>();
+    let mut m = zeros::<T, N>();
     for j in 0..N {
-        for i in j + 1..N {
-            let mut sum = f[(i, j)];
-            for k in j + 1..i {
-                sum += f[(i, k)] * m[(k, j)];
+        for i in 0..N {
+            if i > j {
+                let mut sum = f[(i, j)];
+                for k in 0..N {
+                    if j < k && k < i {
+                        sum += f[(i, k)] * m[(k, j)];
+                    }
+                }
+                m[(i, j)] = -sum;
             }
-            m[(i, j)] = -sum;
         }
     }
-    // A⁻¹ = Mᵀ D⁻¹ M.
-    let mut d_inv = Vector::<T, N>::from_element(T::zero());
-    for i in 0..N {
-        d_inv[i] = T::one() / f[(i, i)];
-    }
+    // A⁻¹ = Mᵀ D⁻¹ M, the unit diagonal of M left out.
     let inverse = symmetric(|i, j| {
-        let mut sum = m[(j, i)] * d_inv[j];
-        for k in j + 1..N {
-            sum += m[(k, i)] * m[(k, j)] * d_inv[k];
+        let mut sum = reciprocals[j];
+        if i < j {
+            sum *= m[(j, i)];
+        }
+        for k in 0..N {
+            if k > j {
+                sum += m[(k, i)] * m[(k, j)] * reciprocals[k];
+            }
         }
         sum
     });
@@ -159,6 +191,6 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
 
 /// The first pivot of LDLᵀ that is not positive: none if and only if the symmetric matrix is positive definite.
 pub fn indefinite_pivot<const N: usize>(a: &Mat<f64, N>) -> Option<f64> {
-    let f = ldlt(a);
+    let f = ldlt(a).factors;
     (0..N).map(|i| f[(i, i)]).find(|d| d.is_nan() || *d <= 0.0)
 }

@@ -1,7 +1,7 @@
 //! Floor 3. Riemannian geometry at a point, from jets of the metric.
 //!
-//! A [`Connection`] made from second-order jets of g carries first-order jets of Γ, and with them the curvature;
-//! made from first-order jets it carries Γ alone. Nothing here needs more than a field.
+//! A [`Connection`] made from second-order jets of g carries first-order jets of Γ; made from first-order jets it
+//! carries Γ alone. [`Curvature`] needs no derivative of Γ or g⁻¹. Nothing here needs more than a field.
 
 use crate::jet::{Jet, Jet1, Jet2, lower};
 use crate::linalg::{Mat, Vector, double_contract, inverse_and_det, sandwich, symmetric};
@@ -16,6 +16,8 @@ pub struct Connection<F: Field, const N: usize> {
     pub inverse: Mat<F, N>,
     /// det g in these coordinates.
     pub det: F,
+    /// `lowered[k][(i, j)]` is Γ_kij = g_kl Γ^l_ij, symmetric in i, j.
+    pub lowered: [Mat<F, N>; N],
     /// `gamma[k][(i, j)]` is Γ^k_ij, symmetric in i, j.
     pub gamma: [Mat<F, N>; N],
 }
@@ -50,21 +52,20 @@ pub fn reverse_trace<F: Field, const N: usize>(
 }
 
 impl<F: Field, const N: usize> Connection<F, N> {
-    /// From jets of g: Γ^k_ij = ½ g^kl (∂_i g_jl + ∂_j g_il − ∂_l g_ij).
+    /// From jets of g: Γ_kij = ½ (∂_i g_jk + ∂_j g_ik − ∂_k g_ij), Γ^k_ij = g^kl Γ_lij.
+    #[inline]
     pub fn new<J: Jet<N, Lower = F>>(g: &Mat<J, N>) -> Self {
         let value = lower(g);
         let (inverse, det) = inverse_and_det(&value);
-        // 2Γ_lij, the first index lowered; then raised by ½ g^kl.
-        let first: [Mat<F, N>; N] = std::array::from_fn(|l| {
-            symmetric(|i, j| g[(j, l)].d(i) + g[(i, l)].d(j) - g[(i, j)].d(l))
-        });
         let half = F::half();
-        let half_inverse: Mat<F, N> = symmetric(|k, l| inverse[(k, l)] * half);
+        let lowered: [Mat<F, N>; N] = std::array::from_fn(|k| {
+            symmetric(|i, j| (g[(j, k)].d(i) + g[(i, k)].d(j) - g[(i, j)].d(k)) * half)
+        });
         let gamma = std::array::from_fn(|k| {
             symmetric(|i, j| {
-                let mut sum = half_inverse[(k, 0)] * first[0][(i, j)];
+                let mut sum = inverse[(k, 0)] * lowered[0][(i, j)];
                 for l in 1..N {
-                    sum += half_inverse[(k, l)] * first[l][(i, j)];
+                    sum += inverse[(k, l)] * lowered[l][(i, j)];
                 }
                 sum
             })
@@ -73,31 +74,37 @@ impl<F: Field, const N: usize> Connection<F, N> {
             g: value,
             inverse,
             det,
+            lowered,
             gamma,
         }
     }
 
     /// Tr σ.
+    #[inline]
     pub fn trace(&self, sigma: &Mat<F, N>) -> F {
         trace(&self.inverse, sigma)
     }
 
     /// ⟨σ, ρ⟩.
+    #[inline]
     pub fn inner(&self, sigma: &Mat<F, N>, rho: &Mat<F, N>) -> F {
         inner(&self.inverse, sigma, rho)
     }
 
     /// 𝕊σ = σ − g Tr σ.
+    #[inline]
     pub fn reverse_trace(&self, sigma: &Mat<F, N>) -> Mat<F, N> {
         reverse_trace(&self.g, &self.inverse, sigma)
     }
 
     /// α^♯: the index of a one-form raised.
+    #[inline]
     pub fn sharp(&self, alpha: &Vector<F, N>) -> Vector<F, N> {
         crate::linalg::apply(&self.inverse, alpha)
     }
 
     /// `[(m, j)]` = (∇_m α)_j = ∂_m α_j − Γ^k_mj α_k.
+    #[inline]
     pub fn nabla_covector<J: Jet<N, Lower = F>>(&self, alpha: &Vector<J, N>) -> Mat<F, N> {
         Mat::from_fn(|m, j| {
             let mut value = alpha[j].d(m);
@@ -109,6 +116,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// `[(m, k)]` = (∇_m X)^k = ∂_m X^k + Γ^k_mj X^j.
+    #[inline]
     pub fn nabla_vector<J: Jet<N, Lower = F>>(&self, x: &Vector<J, N>) -> Mat<F, N> {
         Mat::from_fn(|m, k| {
             let mut value = x[k].d(m);
@@ -120,6 +128,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// `[m][(i, j)]` = (∇_m σ)_ij = ∂_m σ_ij − Γ^k_mi σ_kj − Γ^k_mj σ_ik, symmetric in i, j.
+    #[inline]
     pub fn nabla_tensor<J: Jet<N, Lower = F>>(&self, sigma: &Mat<J, N>) -> [Mat<F, N>; N] {
         let value = lower(sigma);
         std::array::from_fn(|m| {
@@ -135,11 +144,13 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// div α = g^mj (∇_m α)_j.
+    #[inline]
     pub fn div_covector<J: Jet<N, Lower = F>>(&self, alpha: &Vector<J, N>) -> F {
         double_contract(&self.inverse, &self.nabla_covector(alpha))
     }
 
     /// (div σ)_j = g^mi (∇_m σ)_ij.
+    #[inline]
     pub fn div_tensor<J: Jet<N, Lower = F>>(&self, sigma: &Mat<J, N>) -> Vector<F, N> {
         let nabla = self.nabla_tensor(sigma);
         Vector::from_fn(|j, _| {
@@ -154,6 +165,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// (∇∇v)_ij = ∂_i∂_j v − Γ^k_ij ∂_k v, from the jets of dv.
+    #[inline]
     pub fn hessian<J: Jet<N>>(&self, v: &J) -> Mat<F, N>
     where
         J::Lower: Jet<N, Lower = F>,
@@ -164,56 +176,139 @@ impl<F: Field, const N: usize> Connection<F, N> {
 
 impl<T: Field, const N: usize> Connection<Jet1<T, N>, N> {
     /// The same connection, its derivatives forgotten.
+    #[inline]
     pub fn lower(&self) -> Connection<T, N> {
         Connection {
             g: lower(&self.g),
             inverse: lower(&self.inverse),
             det: self.det.value,
+            lowered: self.lowered.map(|g| lower(&g)),
             gamma: self.gamma.map(|g| lower(&g)),
         }
     }
 
-    /// Ric_jk = ∂_l Γ^l_jk − ∂_j Γ^l_lk + Γ^l_lm Γ^m_jk − Γ^l_jm Γ^m_lk; positive on a sphere.
+    /// The second-order jets of g that it was made from: ∂_m∂_n g_ij = ∂_n (Γ_imj + Γ_jmi).
+    #[inline]
+    fn metric(&self) -> Mat<Jet2<T, N>, N> {
+        symmetric(|i, j| Jet2 {
+            value: self.g[(i, j)].value,
+            d: self.g[(i, j)].d,
+            dd: std::array::from_fn(|m| (self.lowered[i][(m, j)] + self.lowered[j][(m, i)]).d),
+        })
+    }
+
+    /// [`Curvature::ricci`].
+    #[inline]
     pub fn ricci(&self) -> Mat<T, N> {
-        let gamma = self.gamma.map(|g| lower(&g));
-        // Γ^l_lk with its derivatives.
-        let mut traced = [Jet1::<T, N>::constant(T::zero()); N];
-        for k in 0..N {
-            for l in 0..N {
-                traced[k] += self.gamma[l][(l, k)];
-            }
+        Curvature::new(&self.metric()).ricci()
+    }
+
+    /// [`Curvature::scalar`].
+    #[inline]
+    pub fn scalar(&self) -> T {
+        Curvature::new(&self.metric()).scalar()
+    }
+
+    /// [`Curvature::einstein`].
+    #[inline]
+    pub fn einstein(&self) -> Mat<T, N> {
+        Curvature::new(&self.metric()).einstein()
+    }
+
+    /// div div σ = g^jm ∇_m (div σ)_j.
+    #[inline]
+    pub fn div_div(&self, sigma: &Mat<Jet2<T, N>, N>) -> T {
+        self.lower().div_covector(&self.div_tensor(sigma))
+    }
+
+    /// Δf = div ∇f.
+    #[inline]
+    pub fn laplacian(&self, f: &Jet2<T, N>) -> T {
+        self.lower().div_covector(&differential(f))
+    }
+}
+
+/// The curvature of g at a point, from its second-order jets.
+#[derive(Clone, Copy, Debug)]
+pub struct Curvature<'g, T: Field, const N: usize> {
+    g: &'g Mat<Jet2<T, N>, N>,
+    /// The connection, without derivatives.
+    pub connection: Connection<T, N>,
+}
+
+impl<'g, T: Field, const N: usize> Curvature<'g, T, N> {
+    /// From jets of g.
+    #[inline]
+    pub fn new(g: &'g Mat<Jet2<T, N>, N>) -> Self {
+        Self {
+            g,
+            connection: Connection::new(&lower(g)),
         }
-        symmetric(|j, k| {
-            let mut sum = -traced[k].d[j];
-            for l in 0..N {
-                sum += self.gamma[l][(j, k)].d[l] + traced[l].value * gamma[l][(j, k)];
-                for m in 0..N {
-                    sum -= gamma[l][(j, m)] * gamma[m][(l, k)];
+    }
+
+    /// R_ijkl = ½ (∂_j∂_k g_il + ∂_i∂_l g_jk − ∂_i∂_k g_jl − ∂_j∂_l g_ik) + Γ_mjk Γ^m_il − Γ_mjl Γ^m_ik, which is
+    /// g_ik g_jl − g_il g_jk on the unit sphere.
+    #[inline]
+    pub fn riemann(&self, [i, j, k, l]: [usize; 4]) -> T {
+        let dd = |a: usize, b: usize, m: usize, n: usize| self.g[(a, b)].dd[m][n];
+        let second = dd(i, l, j, k) + dd(j, k, i, l) - dd(j, l, i, k) - dd(i, k, j, l);
+        let (low, up) = (&self.connection.lowered, &self.connection.gamma);
+        let mut sum = second * T::half();
+        for m in 0..N {
+            sum += low[m][(j, k)] * up[m][(i, l)] - low[m][(j, l)] * up[m][(i, k)];
+        }
+        sum
+    }
+
+    /// Ric_jl = g^ik R_ijkl; positive on a sphere.
+    #[inline]
+    pub fn ricci(&self) -> Mat<T, N> {
+        symmetric(|j, l| {
+            let mut sum = T::zero();
+            for i in (0..N).filter(|&i| i != j) {
+                for k in (0..N).filter(|&k| k != l) {
+                    sum += self.connection.inverse[(i, k)] * self.riemann([i, j, k, l]);
                 }
             }
             sum
         })
     }
 
-    /// R = Tr Ric.
+    /// R = g^jl Ric_jl = 2 Σ_{i<j, k<l} (g^ik g^jl − g^il g^jk) R_ijkl, by the symmetries of R_ijkl.
+    #[inline]
     pub fn scalar(&self) -> T {
-        trace(&lower(&self.inverse), &self.ricci())
+        let inverse = &self.connection.inverse;
+        let mut sum = T::zero();
+        for_pairs::<N>(|i, j| {
+            for_pairs::<N>(|k, l| {
+                if (k, l) < (i, j) {
+                    return;
+                }
+                let minor = inverse[(i, k)] * inverse[(j, l)] - inverse[(i, l)] * inverse[(j, k)];
+                let term = minor * self.riemann([i, j, k, l]);
+                sum += if (k, l) == (i, j) { term } else { term + term };
+            });
+        });
+        sum + sum
     }
 
     /// G = Ric − ½ R g.
+    #[inline]
     pub fn einstein(&self) -> Mat<T, N> {
         let ricci = self.ricci();
-        let half_r = trace(&lower(&self.inverse), &ricci) * T::half();
-        symmetric(|i, j| ricci[(i, j)] - half_r * self.g[(i, j)].value)
+        let half_r = self.connection.trace(&ricci) * T::half();
+        symmetric(|i, j| ricci[(i, j)] - half_r * self.connection.g[(i, j)])
     }
+}
 
-    /// div div σ = g^jm ∇_m (div σ)_j.
-    pub fn div_div(&self, sigma: &Mat<Jet2<T, N>, N>) -> T {
-        self.lower().div_covector(&self.div_tensor(sigma))
-    }
-
-    /// Δf = div ∇f.
-    pub fn laplacian(&self, f: &Jet2<T, N>) -> T {
-        self.lower().div_covector(&differential(f))
+/// All i < j < N. The bounds of both loops are constant, so that they can be unrolled.
+#[inline(always)]
+fn for_pairs<const N: usize>(mut visit: impl FnMut(usize, usize)) {
+    for i in 0..N {
+        for j in 0..N {
+            if i < j {
+                visit(i, j);
+            }
+        }
     }
 }

@@ -11,6 +11,7 @@
 //! The three sums over cells T, faces F and hinges S are kept apart. Every function has a twin `…_with` that takes
 //! the [`Formulas`](crate::formulas::Formulas) to use.
 
+mod corner;
 mod curvature;
 mod integrate;
 mod site;
