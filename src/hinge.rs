@@ -3,7 +3,7 @@
 //! The faces are given by their outward covectors ν_a = −dλ_a and ν_b = −dλ_b; all quantities follow from the three
 //! products g^aa = ν_a·g⁻¹ν_a, g^ab, g^bb. The metric's derivatives do not enter.
 
-use crate::linalg::{Mat, Vector, apply, contract, form};
+use crate::linalg::{Mat, Vector, apply, contract, form, vector};
 use crate::scalar::{Algebraic, Field};
 
 /// Two faces of a cell and the metric at a point of their hinge.
@@ -23,7 +23,7 @@ impl<F: Field, const N: usize> Hinge<F, N> {
     /// From g⁻¹ at the point and the two outward covectors.
     #[inline]
     pub fn new(inverse: &Mat<F, N>, nu: [&Vector<F, N>; 2]) -> Self {
-        let raised = nu.map(|nu| apply(inverse, nu));
+        let raised = [apply(inverse, nu[0]), apply(inverse, nu[1])];
         let squares = [contract(nu[0], &raised[0]), contract(nu[1], &raised[1])];
         let product = contract(nu[0], &raised[1]);
         Self {
@@ -63,7 +63,7 @@ impl<F: Algebraic, const N: usize> Hinge<F, N> {
     #[inline]
     pub fn normal(&self, face: usize) -> Vector<F, N> {
         let scale = F::one() / self.squares[face].sqrt();
-        self.raised[face].map(|x| x * scale)
+        vector(|i| self.raised[face][i] * scale)
     }
 
     /// τ: the unit vector that points from S into face 0 (a) or 1 (b), orthogonal to S and to the face's normal.
@@ -75,6 +75,6 @@ impl<F: Algebraic, const N: usize> Hinge<F, N> {
         let (own, other) = (self.squares[face], 1 - face);
         let slope = self.product / own;
         let scale = F::one() / (self.gram / own).sqrt();
-        Vector::from_fn(|i, _| (slope * self.raised[face][i] - self.raised[other][i]) * scale)
+        vector(|i| (slope * self.raised[face][i] - self.raised[other][i]) * scale)
     }
 }

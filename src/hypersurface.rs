@@ -6,7 +6,7 @@
 //! P^ij = g^ij − nⁱnʲ of the inverse metric. n → −n with ν → −ν.
 
 use crate::jet::Jet;
-use crate::linalg::{Mat, Vector, apply, contract, double_contract, symmetric};
+use crate::linalg::{Mat, Vector, apply, contract, double_contract, matrix, symmetric, vector};
 use crate::riemann::{Connection, inner};
 use crate::scalar::{Algebraic, Field};
 
@@ -28,7 +28,7 @@ impl<F: Algebraic, const N: usize> Normal<F, N> {
         let raised = apply(inverse, nu);
         let length = contract(nu, &raised).sqrt();
         let scale = F::one() / length;
-        let n = raised.map(|x| x * scale);
+        let n = vector(|i| raised[i] * scale);
         Self {
             n,
             length,
@@ -67,7 +67,9 @@ pub fn second_form<J: Jet<N>, const N: usize>(
     normal: &Normal<J::Lower, N>,
 ) -> Mat<J::Lower, N> {
     let scale = J::Lower::one() / normal.length;
-    connection.nabla_covector(nu).map(|x| x * scale)
+    let mut second_form = connection.nabla_covector(nu);
+    second_form.iter_mut().for_each(|x| *x *= scale);
+    second_form
 }
 
 /// H = Tr II; (N−1)/ρ on the sphere of radius ρ.
@@ -86,7 +88,7 @@ pub fn trace_reversed<F: Field, const N: usize>(
     second_form: &Mat<F, N>,
     mean_curvature: F,
 ) -> Mat<F, N> {
-    Mat::from_fn(|i, j| second_form[(i, j)] - mean_curvature * g[(i, j)])
+    matrix(|i, j| second_form[(i, j)] - mean_curvature * g[(i, j)])
 }
 
 /// div_F α = Σ (∇_τ α)(τ) = P^ij (∇_i α)_j; needs α along F only.
@@ -112,7 +114,7 @@ pub fn omega_f<F: Algebraic, const N: usize>(
 /// −dλ_f in reference coordinates, which points out of the cell across the face opposite to vertex f.
 #[inline]
 pub fn outward<F: Field, const N: usize>(opposite: usize) -> Vector<F, N> {
-    Vector::from_fn(|i, _| match opposite {
+    vector(|i| match opposite {
         0 => F::one(),
         f if f == i + 1 => -F::one(),
         _ => F::zero(),

@@ -4,7 +4,7 @@
 //! positive definite matrix needs no pivoting, so LDLᵀ does for all scalars.
 
 use crate::scalar::Field;
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 /// An N×N array over T; a (0,2)-tensor's `[(i, j)]` component, or its inverse's.
 pub type Mat<T, const N: usize> = SMatrix<T, N, N>;
@@ -14,19 +14,53 @@ pub type Vector<T, const N: usize> = SVector<T, N>;
 /// The zero matrix.
 #[inline]
 pub fn zeros<T: Field, const N: usize>() -> Mat<T, N> {
-    Mat::from_element(T::zero())
+    Mat::from_array_storage(ArrayStorage([[T::zero(); N]; N]))
+}
+
+/// The matrix with these entries.
+///
+/// As nalgebra's `from_fn`, but what is made of wide scalars stays where it is: moving it costs as much as computing it.
+#[inline]
+pub fn matrix<T: Field, const N: usize>(mut entry: impl FnMut(usize, usize) -> T) -> Mat<T, N> {
+    let mut a = zeros();
+    for j in 0..N {
+        for i in 0..N {
+            a[(i, j)] = entry(i, j);
+        }
+    }
+    a
+}
+
+/// The vector with these components. See [`matrix`].
+#[inline]
+pub fn vector<T: Field, const N: usize>(mut component: impl FnMut(usize) -> T) -> Vector<T, N> {
+    let mut x = Vector::from_array_storage(ArrayStorage([[T::zero(); N]]));
+    for i in 0..N {
+        x[i] = component(i);
+    }
+    x
 }
 
 /// The identity matrix.
 #[inline]
 pub fn identity<T: Field, const N: usize>() -> Mat<T, N> {
-    Mat::from_fn(|i, j| if i == j { T::one() } else { T::zero() })
+    matrix(|i, j| if i == j { T::one() } else { T::zero() })
 }
 
-/// A symmetric matrix from its entries with i ≤ j.
+/// A symmetric matrix from its entries with i ≤ j, which are asked for row by row.
 #[inline]
-pub fn symmetric<T: Field, const N: usize>(entry: impl Fn(usize, usize) -> T) -> Mat<T, N> {
+pub fn symmetric<T: Field, const N: usize>(entry: impl FnMut(usize, usize) -> T) -> Mat<T, N> {
     let mut a = zeros();
+    fill_symmetric(&mut a, entry);
+    a
+}
+
+/// [`symmetric`] in place: arrays of matrices are filled so, for to move them costs as much as to compute them.
+#[inline]
+pub fn fill_symmetric<T: Field, const N: usize>(
+    a: &mut Mat<T, N>,
+    mut entry: impl FnMut(usize, usize) -> T,
+) {
     // Loops with constant bounds can be unrolled.
     for i in 0..N {
         for j in 0..N {
@@ -37,7 +71,6 @@ pub fn symmetric<T: Field, const N: usize>(entry: impl Fn(usize, usize) -> T) ->
             }
         }
     }
-    a
 }
 
 /// a(x, y) = a_ij xⁱ yʲ.
@@ -55,13 +88,13 @@ pub fn form<T: Field, const N: usize>(a: &Mat<T, N>, x: &Vector<T, N>, y: &Vecto
 /// (A x)_i = a_ij xʲ.
 #[inline]
 pub fn apply<T: Field, const N: usize>(a: &Mat<T, N>, x: &Vector<T, N>) -> Vector<T, N> {
-    let mut y = Vector::from_element(T::zero());
-    for i in 0..N {
+    vector(|i| {
+        let mut y = T::zero();
         for j in 0..N {
-            y[i] += a[(i, j)] * x[j];
+            y += a[(i, j)] * x[j];
         }
-    }
-    y
+        y
+    })
 }
 
 /// α(X) = α_i Xⁱ.

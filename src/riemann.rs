@@ -4,7 +4,10 @@
 //! carries Γ alone. [`Curvature`] needs no derivative of Γ or g⁻¹. Nothing here needs more than a field.
 
 use crate::jet::{Jet, Jet1, Jet2, lower};
-use crate::linalg::{Mat, Vector, double_contract, inverse_and_det, sandwich, symmetric};
+use crate::linalg::{
+    Mat, Vector, double_contract, fill_symmetric, inverse_and_det, matrix, sandwich, symmetric,
+    vector, zeros,
+};
 use crate::scalar::Field;
 
 /// g, g⁻¹, det g and the Levi-Civita connection at a point.
@@ -25,7 +28,7 @@ pub struct Connection<F: Field, const N: usize> {
 /// df: `[m]` is ∂_m f.
 #[inline]
 pub fn differential<J: Jet<N>, const N: usize>(f: &J) -> Vector<J::Lower, N> {
-    Vector::from_fn(|m, _| f.d(m))
+    vector(|m| f.d(m))
 }
 
 /// Tr σ = g^ij σ_ij.
@@ -57,26 +60,29 @@ impl<F: Field, const N: usize> Connection<F, N> {
     pub fn new<J: Jet<N, Lower = F>>(g: &Mat<J, N>) -> Self {
         let value = lower(g);
         let (inverse, det) = inverse_and_det(&value);
-        let half = F::half();
-        let lowered: [Mat<F, N>; N] = std::array::from_fn(|k| {
-            symmetric(|i, j| (g[(j, k)].d(i) + g[(i, k)].d(j) - g[(i, j)].d(k)) * half)
-        });
-        let gamma = std::array::from_fn(|k| {
-            symmetric(|i, j| {
-                let mut sum = inverse[(k, 0)] * lowered[0][(i, j)];
-                for l in 1..N {
-                    sum += inverse[(k, l)] * lowered[l][(i, j)];
-                }
-                sum
-            })
-        });
-        Self {
+        let mut connection = Self {
             g: value,
             inverse,
             det,
-            lowered,
-            gamma,
+            lowered: [zeros(); N],
+            gamma: [zeros(); N],
+        };
+        let half = F::half();
+        for k in 0..N {
+            fill_symmetric(&mut connection.lowered[k], |i, j| {
+                (g[(j, k)].d(i) + g[(i, k)].d(j) - g[(i, j)].d(k)) * half
+            });
         }
+        for k in 0..N {
+            fill_symmetric(&mut connection.gamma[k], |i, j| {
+                let mut sum = inverse[(k, 0)] * connection.lowered[0][(i, j)];
+                for l in 1..N {
+                    sum += inverse[(k, l)] * connection.lowered[l][(i, j)];
+                }
+                sum
+            });
+        }
+        connection
     }
 
     /// Tr σ.
@@ -106,7 +112,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     /// `[(m, j)]` = (∇_m α)_j = ∂_m α_j − Γ^k_mj α_k.
     #[inline]
     pub fn nabla_covector<J: Jet<N, Lower = F>>(&self, alpha: &Vector<J, N>) -> Mat<F, N> {
-        Mat::from_fn(|m, j| {
+        matrix(|m, j| {
             let mut value = alpha[j].d(m);
             for k in 0..N {
                 value -= self.gamma[k][(m, j)] * alpha[k].lower();
@@ -118,7 +124,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     /// `[(m, k)]` = (∇_m X)^k = ∂_m X^k + Γ^k_mj X^j.
     #[inline]
     pub fn nabla_vector<J: Jet<N, Lower = F>>(&self, x: &Vector<J, N>) -> Mat<F, N> {
-        Mat::from_fn(|m, k| {
+        matrix(|m, k| {
             let mut value = x[k].d(m);
             for j in 0..N {
                 value += self.gamma[k][(m, j)] * x[j].lower();
@@ -153,7 +159,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     #[inline]
     pub fn div_tensor<J: Jet<N, Lower = F>>(&self, sigma: &Mat<J, N>) -> Vector<F, N> {
         let nabla = self.nabla_tensor(sigma);
-        Vector::from_fn(|j, _| {
+        vector(|j| {
             let mut sum = F::zero();
             for m in 0..N {
                 for i in 0..N {
@@ -200,19 +206,19 @@ impl<T: Field, const N: usize> Connection<Jet1<T, N>, N> {
     /// [`Curvature::ricci`].
     #[inline]
     pub fn ricci(&self) -> Mat<T, N> {
-        Curvature::new(&self.metric()).ricci()
+        Curvature::new(&self.metric(), &self.lower()).ricci()
     }
 
     /// [`Curvature::scalar`].
     #[inline]
     pub fn scalar(&self) -> T {
-        Curvature::new(&self.metric()).scalar()
+        Curvature::new(&self.metric(), &self.lower()).scalar()
     }
 
     /// [`Curvature::einstein`].
     #[inline]
     pub fn einstein(&self) -> Mat<T, N> {
-        Curvature::new(&self.metric()).einstein()
+        Curvature::new(&self.metric(), &self.lower()).einstein()
     }
 
     /// div div σ = g^jm ∇_m (div σ)_j.
@@ -232,18 +238,14 @@ impl<T: Field, const N: usize> Connection<Jet1<T, N>, N> {
 #[derive(Clone, Copy, Debug)]
 pub struct Curvature<'g, T: Field, const N: usize> {
     g: &'g Mat<Jet2<T, N>, N>,
-    /// The connection, without derivatives.
-    pub connection: Connection<T, N>,
+    connection: &'g Connection<T, N>,
 }
 
 impl<'g, T: Field, const N: usize> Curvature<'g, T, N> {
-    /// From jets of g.
+    /// From jets of g and their connection.
     #[inline]
-    pub fn new(g: &'g Mat<Jet2<T, N>, N>) -> Self {
-        Self {
-            g,
-            connection: Connection::new(&lower(g)),
-        }
+    pub fn new(g: &'g Mat<Jet2<T, N>, N>, connection: &'g Connection<T, N>) -> Self {
+        Self { g, connection }
     }
 
     /// R_ijkl = ½ (∂_j∂_k g_il + ∂_i∂_l g_jk − ∂_i∂_k g_jl − ∂_j∂_l g_ik) + Γ_mjk Γ^m_il − Γ_mjl Γ^m_ik, which is

@@ -6,7 +6,7 @@ use super::{Rules, Sums};
 use crate::field::TensorField;
 use crate::formulas::{Formulas, Paper};
 use crate::hypersurface::{self, Normal};
-use crate::jet::Jet1;
+use crate::jet::{Jet1, lower, lower_vector};
 use crate::lagrange::Lagrange;
 use crate::linalg::Vector;
 use crate::mesh::{Mesh, Slot};
@@ -94,10 +94,9 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>> CellTerm<'a, T, N, G> {
     fn add(&self, local: &G::Local, acc: &mut [T]) {
         for block in 0..self.sites.weights.len() {
             let g = self.g.jet2(local, &self.table, block);
-            let curvature = Curvature::new(&g);
-            let omega = curvature.connection.det.sqrt();
-            self.sites
-                .accumulate(block, curvature.scalar() * omega, acc);
+            let connection = Connection::new(&lower(&g));
+            let r = Curvature::new(&g, &connection).scalar();
+            self.sites.accumulate(block, r * connection.det.sqrt(), acc);
         }
     }
 }
@@ -107,7 +106,7 @@ struct FaceTerm<'a, T: Real, const N: usize, G: TensorField<T, N>> {
     g: &'a G,
     sites: Sites<T>,
     tables: Vec<G::Table>,
-    outward: Vec<Vector<T, N>>,
+    outward: Vec<Vector<Jet1<T, N>, N>>,
     /// By place, the cell's number for each function of the trace basis.
     numbers: Vec<Vec<usize>>,
 }
@@ -121,7 +120,9 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>> FaceTerm<'a, T, N, G> {
         Self {
             g,
             tables: sites.tables(g),
-            outward: (0..=N).map(|place| sites.outward(place)[0]).collect(),
+            outward: (0..=N)
+                .map(|place| sites.outward::<N>(place)[0].map(Jet1::constant))
+                .collect(),
             numbers: sites
                 .slots
                 .iter()
@@ -150,14 +151,14 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>> FaceTerm<'a, T, N, G> {
     }
 }
 
-/// H ω_F of the plane {λ_f = 0} with constant covector ν, on one side.
+/// H ω_F of a hypersurface with covector ν, on one side, relative to a coordinate measure on {λ_f = 0} for ν = −dλ_f.
 #[inline]
 fn densitized_mean_curvature<K: Formulas, T: Real, const N: usize>(
     connection: &Connection<T, N>,
-    nu: &Vector<T, N>,
+    nu: &Vector<Jet1<T, N>, N>,
 ) -> T {
-    let normal = Normal::new(&connection.inverse, nu);
-    let second_form = K::second_form(connection, &nu.map(Jet1::constant), &normal);
+    let normal = Normal::new(&connection.inverse, &lower_vector(nu));
+    let second_form = K::second_form(connection, nu, &normal);
     hypersurface::mean_curvature(&normal, &second_form) * normal.length * connection.det.sqrt()
 }
 

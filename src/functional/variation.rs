@@ -7,7 +7,7 @@ use crate::field::TensorField;
 use crate::formulas::{Formulas, Paper};
 use crate::hinge::Hinge;
 use crate::hypersurface::{self, Normal, outward};
-use crate::jet::{Jet1, Jet2};
+use crate::jet::{Jet1, Jet2, lower};
 use crate::lagrange::Lagrange;
 use crate::linalg::{Vector, contract, inverse_and_det};
 use crate::parallel::rows_in_order;
@@ -208,10 +208,10 @@ fn einstein_sum<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T,
         let locals = (g.on_cell(cell), sigma.on_cell(cell));
         for block in 0..sites.weights.len() {
             let g = g.jet2(&locals.0, &tables.0, block);
-            let curvature = Curvature::new(&g);
-            let connection = &curvature.connection;
+            let connection = Connection::new(&lower(&g));
             let sigma = sigma.value(&locals.1, &tables.1, block);
-            let density = connection.inner(&curvature.einstein(), &sigma);
+            let einstein = Curvature::new(&g, &connection).einstein();
+            let density = connection.inner(&einstein, &sigma);
             sites.accumulate(block, density * connection.det.sqrt(), acc);
         }
     })
