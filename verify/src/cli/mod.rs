@@ -75,6 +75,9 @@ fn no_command() -> Stop {
 }
 
 fn run(command: Command) -> Result<(), Stop> {
+    if let Some(line) = regge::scalar::Lanes::unused_width() {
+        eprintln!("note: {line}");
+    }
     match command {
         Command::Reproduce(args) => args.run(),
         Command::Converge(args) => args.run(),
