@@ -13,26 +13,26 @@ use crate::scalar::Real;
 pub(super) struct Corners<'a, T: Real, const N: usize, G: TensorField<T, N>> {
     g: &'a G,
     mesh: &'a Mesh<N>,
+    /// Is g constant on cells? Then one block of points says all, and one inverse.
+    constant: bool,
     blocks: usize,
     tables: Vec<G::Table>,
     outward: Vec<[Vector<T, N>; 2]>,
 }
 
 impl<'a, T: Real, const N: usize, G: TensorField<T, N>> Corners<'a, T, N, G> {
-    /// At the points of these sites, which are hinges. A metric that is constant on cells needs one block of them.
+    /// At the points of these sites, which are hinges.
     pub fn new(g: &'a G, mesh: &'a Mesh<N>, sites: &Sites<T>) -> Self {
         let faces_at = |place: usize| {
             let nu = sites.outward::<N>(place);
             [nu[0], nu[1]]
         };
+        let constant = g.is_constant();
         Self {
             g,
             mesh,
-            blocks: if g.is_constant() {
-                1
-            } else {
-                sites.weights.len()
-            },
+            constant,
+            blocks: if constant { 1 } else { sites.weights.len() },
             tables: sites.tables(g),
             outward: (0..sites.vertices.len()).map(faces_at).collect(),
         }
@@ -46,14 +46,17 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>> Corners<'a, T, N, G> {
     /// Fills the row of a cell, the interior hinges of it.
     pub fn fill<K: Formulas>(&self, cell: usize, local: &G::Local, row: &mut [T]) {
         let hinges = self.mesh.simplices_of(cell, N - 2);
+        let inverse_at = |place: usize, block: usize| {
+            inverse_and_det(&self.g.value(local, &self.tables[place], block))
+        };
+        let everywhere = self.constant.then(|| inverse_at(0, 0));
         for (place, chunk) in row.chunks_exact_mut(2 * self.blocks).enumerate() {
             if !self.mesh.is_interior(N - 2, hinges[place] as usize) {
                 continue;
             }
             let [a, b] = &self.outward[place];
             for (block, pair) in chunk.chunks_exact_mut(2).enumerate() {
-                let g = self.g.value(local, &self.tables[place], block);
-                let (inverse, det) = inverse_and_det(&g);
+                let (inverse, det) = everywhere.unwrap_or_else(|| inverse_at(place, block));
                 let corner = Hinge::new(&inverse, [a, b]);
                 let (sin, cos) = K::dihedral(&corner);
                 pair[0] = T::angle(sin, cos);
