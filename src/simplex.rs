@@ -5,7 +5,7 @@
 //! origin.
 
 use crate::jet::{Jet1, Jet2};
-use crate::scalar::Real;
+use crate::scalar::{Lift, Real};
 
 /// All subsets of {0, …, n−1} with `size` elements, ascending, in lexicographic order.
 pub fn subsets(n: usize, size: usize) -> Vec<Vec<usize>> {
@@ -222,24 +222,25 @@ impl<T: Real, const N: usize> JetTable<T, N> {
 
     /// Σ_α c_α B_α at a block.
     #[inline]
-    pub fn value(&self, block: usize, c: &[T]) -> T {
+    pub fn value<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> T {
         let mut sum = T::zero();
         for (c, b) in c.iter().zip(&self.values[block * self.size..]) {
-            sum += *c * *b;
+            sum += c.lift() * *b;
         }
         sum
     }
 
     /// With first derivatives.
     #[inline]
-    pub fn jet1(&self, block: usize, c: &[T]) -> Jet1<T, N> {
+    pub fn jet1<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> Jet1<T, N> {
         let mut sum = Jet1::constant(T::zero());
         let start = block * self.size;
         let rows = self.values[start..].iter().zip(&self.first[start..]);
         for (c, (b, d)) in c.iter().zip(rows) {
-            sum.value += *c * *b;
+            let c = c.lift();
+            sum.value += c * *b;
             for m in 0..N {
-                sum.d[m] += *c * d[m];
+                sum.d[m] += c * d[m];
             }
         }
         sum
@@ -247,19 +248,20 @@ impl<T: Real, const N: usize> JetTable<T, N> {
 
     /// With second derivatives.
     #[inline]
-    pub fn jet2(&self, block: usize, c: &[T]) -> Jet2<T, N> {
+    pub fn jet2<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> Jet2<T, N> {
         let mut sum = Jet2::constant(T::zero());
         let (start, packed) = (block * self.size, N * (N + 1) / 2);
         let rows = self.values[start..].iter().zip(&self.first[start..]);
         let second = self.second[start * packed..].chunks_exact(packed);
         for (c, ((b, d), dd)) in c.iter().zip(rows.zip(second)) {
-            sum.value += *c * *b;
+            let c = c.lift();
+            sum.value += c * *b;
             let mut p = 0;
             for m in 0..N {
-                sum.d[m] += *c * d[m];
+                sum.d[m] += c * d[m];
                 for n in 0..N {
                     if m <= n {
-                        sum.dd[m][n] += *c * dd[p];
+                        sum.dd[m][n] += c * dd[p];
                         p += 1;
                     }
                 }

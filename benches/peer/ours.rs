@@ -111,7 +111,8 @@ fn accuracy(level: u32) -> Value {
     let table = TensorField::<f64, 3>::tabulate(&g_h, Rule::new(3, 1).points());
     let mut worst: f64 = 0.0;
     for cell in 0..mesh.cells() {
-        let jets = g_h.jet2(&g_h.on_cell(cell), &table, 0);
+        let local = TensorField::<f64, 3>::on_cell(&g_h, cell);
+        let jets = g_h.jet2(&local, &table, 0);
         let r = Curvature::new(&jets, &Connection::new(&lower(&jets))).scalar();
         let corners = (0..4).filter_map(|i| mesh.corner(cell, i));
         let x = corners.sum::<regge::linalg::Vector<f64, 3>>() / 4.0;

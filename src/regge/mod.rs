@@ -156,13 +156,12 @@ impl<'s, C: Copy, const N: usize> ReggeFunction<'s, C, N> {
 
     /// The coefficients of the edge components on a cell: `[edge][α]`, one after the other.
     pub fn local(&self, cell: usize) -> Vec<C> {
-        self.of_cell(cell).collect()
-    }
-
-    fn of_cell(&self, cell: usize) -> impl Iterator<Item = C> + '_ {
         let space = self.space;
-        let slots = space.slots.iter().flatten();
-        slots.map(move |&s| self.coefficients[space.numbering.of_cell(space.mesh, cell, s)])
+        let mut local = Vec::with_capacity(space.slots.len() * space.slots[0].len());
+        for slot in space.slots.iter().flatten() {
+            local.push(self.coefficients[space.numbering.of_cell(space.mesh, cell, *slot)]);
+        }
+        local
     }
 }
 
@@ -217,14 +216,14 @@ pub(crate) fn edge_components<F: Field, const N: usize>(g: &Mat<F, N>) -> Vec<F>
 
 /// From the coefficients of the edge components, `[edge][α]`, those of g_ii = q_0i, then, pair by pair i < j in the
 /// order of the edges that do not meet vertex 0, of g_ij = ½(q_0i + q_0j − q_ij).
-fn components_from_edges<T: Real, const N: usize>(q: &mut [T]) {
+fn components_from_edges<C: Field, const N: usize>(q: &mut [C]) {
     let size = q.len() / (N * (N + 1) / 2);
     let (diagonal, rest) = q.split_at_mut(N * size);
     let mut others = rest.chunks_exact_mut(size);
     for i in 0..N {
         for (j, pair) in (i + 1..N).zip(&mut others) {
             for (a, c) in pair.iter_mut().enumerate() {
-                *c = (diagonal[i * size + a] + diagonal[j * size + a] - *c) * T::half();
+                *c = (diagonal[i * size + a] + diagonal[j * size + a] - *c) * C::half();
             }
         }
     }
@@ -232,9 +231,9 @@ fn components_from_edges<T: Real, const N: usize>(q: &mut [T]) {
 
 /// The matrix whose entries are made of equally long chunks of `coefficients`: the diagonal, then all i < j.
 #[inline]
-fn from_chunks<T, F: Field, const N: usize>(
-    coefficients: &[T],
-    entry: impl Fn(&[T]) -> F,
+fn from_chunks<C, F: Field, const N: usize>(
+    coefficients: &[C],
+    entry: impl Fn(&[C]) -> F,
 ) -> Mat<F, N> {
     let size = coefficients.len() / (N * (N + 1) / 2);
     let mut pair = N;
@@ -247,35 +246,35 @@ fn from_chunks<T, F: Field, const N: usize>(
 
 impl<C, T, const N: usize> TensorField<T, N> for ReggeFunction<'_, C, N>
 where
-    C: Lift<T> + Copy + Sync,
+    C: Field + Lift<T>,
     T: Real,
 {
     type Table = JetTable<T, N>;
     /// The coefficients of the components on the cell: g_ii, then g_ij with i < j, `[component][α]`.
-    type Local = Vec<T>;
+    type Local = Vec<C>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
         JetTable::new(&Bernstein::new(N + 1, self.space.degree), points)
     }
 
-    fn on_cell(&self, cell: usize) -> Vec<T> {
-        let mut local: Vec<T> = self.of_cell(cell).map(Lift::lift).collect();
-        components_from_edges::<T, N>(&mut local);
+    fn on_cell(&self, cell: usize) -> Vec<C> {
+        let mut local = self.local(cell);
+        components_from_edges::<C, N>(&mut local);
         local
     }
 
     #[inline]
-    fn jet2(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+    fn jet2(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
         from_chunks(local, |c| table.jet2(block, c))
     }
 
     #[inline]
-    fn jet1(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
+    fn jet1(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
         from_chunks(local, |c| table.jet1(block, c))
     }
 
     #[inline]
-    fn value(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<T, N> {
+    fn value(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<T, N> {
         from_chunks(local, |c| table.value(block, c))
     }
 
