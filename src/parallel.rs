@@ -33,3 +33,24 @@ fn map<R: Send>(start: usize, end: usize, compute: &(impl Fn(usize) -> R + Sync)
 fn map<R: Send>(start: usize, end: usize, compute: &(impl Fn(usize) -> R + Sync)) -> Vec<R> {
     (start..end).map(compute).collect()
 }
+
+/// `work(i, chunk i)` for the consecutive chunks of `data` of this length (the last may be shorter), in any order and
+/// by several threads.
+#[cfg(feature = "norms")]
+pub(crate) fn for_chunks<T: Send>(
+    data: &mut [T],
+    length: usize,
+    work: impl Fn(usize, &mut [T]) + Sync,
+) {
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        data.par_chunks_mut(length)
+            .enumerate()
+            .for_each(|(i, chunk)| work(i, chunk));
+    }
+    #[cfg(not(feature = "parallel"))]
+    for (i, chunk) in data.chunks_mut(length).enumerate() {
+        work(i, chunk);
+    }
+}
