@@ -49,25 +49,47 @@ pub(crate) fn rows_in_order<R: Copy + Send + Sync>(
     for start in (0..count).step_by(ROWS) {
         let rows = &mut table[..width * ROWS.min(count - start)];
         rows.fill(zero);
-        fill(rows, width, &|i, row: &mut [R]| compute(start + i, row));
+        fill(rows, width, 16, &|i, row: &mut [R]| compute(start + i, row));
         for (i, row) in rows.chunks_exact(width).enumerate() {
             consume(start + i, row);
         }
     }
 }
 
+/// `work(i, chunk i)` for the consecutive chunks of `data` of this length (the last may be shorter), in any order and
+/// by several threads.
+#[cfg(feature = "norms")]
+pub(crate) fn for_chunks<T: Send>(
+    data: &mut [T],
+    length: usize,
+    work: impl Fn(usize, &mut [T]) + Sync,
+) {
+    fill(data, length, 1, &work);
+}
+
+/// A thread takes `grain` chunks at least.
 #[cfg(feature = "parallel")]
-fn fill<R: Send>(rows: &mut [R], width: usize, compute: &(impl Fn(usize, &mut [R]) + Sync)) {
+fn fill<R: Send>(
+    data: &mut [R],
+    length: usize,
+    grain: usize,
+    work: &(impl Fn(usize, &mut [R]) + Sync),
+) {
     use rayon::prelude::*;
-    rows.par_chunks_exact_mut(width)
+    data.par_chunks_mut(length)
         .enumerate()
-        .with_min_len(16)
-        .for_each(|(i, row)| compute(i, row));
+        .with_min_len(grain)
+        .for_each(|(i, chunk)| work(i, chunk));
 }
 
 #[cfg(not(feature = "parallel"))]
-fn fill<R: Send>(rows: &mut [R], width: usize, compute: &(impl Fn(usize, &mut [R]) + Sync)) {
-    for (i, row) in rows.chunks_exact_mut(width).enumerate() {
-        compute(i, row);
+fn fill<R: Send>(
+    data: &mut [R],
+    length: usize,
+    _grain: usize,
+    work: &(impl Fn(usize, &mut [R]) + Sync),
+) {
+    for (i, chunk) in data.chunks_mut(length).enumerate() {
+        work(i, chunk);
     }
 }
