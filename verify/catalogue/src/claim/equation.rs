@@ -200,6 +200,60 @@ impl<B: Ground> Equation<B> {
 }
 
 impl<B: Ground> Equation<B> {
+    /// A forgery with the right side of another equation of the same form, caught if it is wrong somewhere. None if
+    /// there is nothing on the right that does not vanish.
+    pub fn forge_right(self, name: &'static str, other: Self) -> Self {
+        if self.right.iter().all(|t| t.vanishes.is_some()) {
+            return self;
+        }
+        let terms = other.right.into_iter().map(|t| (t.name, t.value));
+        self.forge_terms(name, terms.collect()).somewhere()
+    }
+}
+
+impl Equation<f64> {
+    /// Σ w_i e_i, equation by equation, of lists of the same form: an integral, term by term.
+    pub fn weighted(weights: &[f64], lists: Vec<Vec<Self>>) -> Vec<Self> {
+        let mut sum: Vec<Self> = Vec::new();
+        for (w, list) in weights.iter().zip(lists) {
+            let scaled = list.into_iter().map(|e| e.times(*w));
+            sum = if sum.is_empty() {
+                scaled.collect()
+            } else {
+                sum.into_iter()
+                    .zip(scaled)
+                    .map(|(a, b)| a.plus(b))
+                    .collect()
+            };
+        }
+        sum
+    }
+
+    /// All its vectors, those of the forgeries included.
+    fn vectors(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        let forged = self.forged.iter_mut().flat_map(|f| &mut f.replaced);
+        let terms = self.left.iter_mut().chain(&mut self.right);
+        terms.map(|t| &mut t.value).chain(forged.map(|f| &mut f.1))
+    }
+
+    fn times(mut self, w: f64) -> Self {
+        self.magnitude *= w.abs();
+        for x in self.vectors().flatten() {
+            *x *= w;
+        }
+        self
+    }
+
+    fn plus(mut self, mut other: Self) -> Self {
+        self.magnitude += other.magnitude;
+        for (x, y) in self.vectors().flatten().zip(other.vectors().flatten()) {
+            *x += *y;
+        }
+        self
+    }
+}
+
+impl<B: Ground> Equation<B> {
     /// The terms of both sides.
     pub(super) fn terms(&self) -> impl Iterator<Item = &Term<B>> {
         self.left.iter().chain(&self.right)

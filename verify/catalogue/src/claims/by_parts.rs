@@ -244,16 +244,19 @@ impl<K: Formulas, const N: usize> Check for ByParts<K, N> {
         Method::Exact
     }
 
-    fn run(&self, budget: &Budget) -> Entry {
-        // One identity of integrals in the coefficients of the fields: degree ≤ 2 · 40 in L's, 1 in σ's and w's.
-        let mut tally = Tally::new(Judgement::Exact { degree: 100.0 });
-        // 2⁻⁵⁴ a draw: two are enough; on the tetrahedron each takes seconds.
-        let cases = match (budget.quick, N) {
+    /// 2⁻⁵⁴ a draw: two are enough; on the tetrahedron each takes seconds.
+    fn cases(&self, budget: &Budget) -> usize {
+        match (budget.quick, N) {
             (true, 3..) => 1,
             (true, _) | (_, 3..) => 2,
             _ => 4,
-        };
-        for number in 0..cases {
+        }
+    }
+
+    fn run(&self, budget: &Budget) -> Entry {
+        // One identity of integrals in the coefficients of the fields: degree ≤ 2 · 40 in L's, 1 in σ's and w's.
+        let mut tally = Tally::new(Judgement::Exact { degree: 100.0 });
+        for number in 0..self.cases(budget) {
             let case = Case {
                 number,
                 ..Case::default()

@@ -1,14 +1,19 @@
 //! M12, M13, M14: piecewise constant metrics.
 
-use super::fields::{Regge, Tested, function, metric, moving, times, values, variation};
+use super::density::{HingeTerms, Seen};
+use super::euclid::{FlatHinge, against_hats, hinges};
+use super::evolution::POINTS_IN_T;
+use super::fields::{Regge, Tested, flat, function, metric, moving, near_flat, times, variation};
+use super::pair::with_pair;
 use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape, grid};
-use crate::claim::{Equation, Judgement, Record};
+use crate::claim::{Equation, Judgement, Method, Record};
 use num_dual::{Dual64, HyperDual64};
 use regge::formulas::{Formulas, Paper};
 use regge::functional::{Rules, a_h_with, distributional_curvature_with, integrate};
 use regge::lagrange::Lagrange;
 use regge::linalg::Mat;
 use regge::mesh::Mesh;
+use regge::quadrature::gauss_legendre;
 use regge::regge::ReggeSpace;
 
 /// ⟨Gω,σ⟩ = −Σ Θ Tr(σ|_S) V_S.
@@ -36,23 +41,12 @@ impl OnMesh for M12 {
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let regge = ReggeSpace::new(&mesh, 0);
-        let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
-        let hats = Lagrange::new(&mesh, 1);
-        let a = values(a_h_with::<K, f64, N, _, _>(
-            &g,
-            &sigma,
-            &hats,
-            &Rules::new::<N>(2),
-        ));
-        let one = Tested::One.of_sums(&hats, &a);
-        let flat = super::euclid::hinges::<Dual64, N>(&moving(&g, &sigma));
-        let sum: f64 = flat.iter().map(|h| -2.0 * h.defect.re * h.volume.eps).sum();
-        let size: f64 = flat
-            .iter()
-            .map(|h| (h.defect.re * h.volume.eps).abs())
-            .sum();
+        let (one, laid_out) = with_pair::<_, N>(at, draw, |pair| {
+            let one = Tested::One.of_sums(pair.space, &pair.a::<K>());
+            (one, hinges::<Dual64, N>(&moving(&pair.g, &pair.sigma)))
+        });
+        let sum = |f: fn(&FlatHinge<Dual64>) -> f64| laid_out.iter().map(f).sum::<f64>();
+        let size = sum(|h| (h.defect.re * h.volume.eps).abs() + h.volume.eps.abs());
         vec![
             Equation::new("⟨Gω,σ⟩")
                 .left("Σ_T ∫⟨G,σ⟩ω", one.t)
@@ -60,25 +54,11 @@ impl OnMesh for M12 {
                 .left("Σ_F ∫⟨⟦II‾⟧,σ⟩ω_F", one.f)
                 .vanishes(true, "g is constant on cells")
                 .left("−Σ_S ∫Θ Tr(σ|_S)ω_S", one.s)
-                .right("−2Σ Θ V̇", sum)
+                .right("−2Σ Θ V̇", sum(|h| -2.0 * h.defect.re * h.volume.eps))
                 // Near a flat metric Θ is a small difference of angles near 2π.
-                .magnitude(size + flat.iter().map(|h| h.volume.eps.abs()).sum::<f64>()),
+                .magnitude(size),
         ]
     }
-}
-
-/// The flat metric of a mesh with coordinates.
-fn euclidean<'s, const N: usize>(space: &'s ReggeSpace<'s, N>) -> Regge<'s, f64, N> {
-    let mesh = space.mesh();
-    let mut coefficients = vec![1.0; space.len()];
-    for cell in 0..mesh.cells() {
-        for (e, edge) in regge::simplex::subsets(N + 1, 2).iter().enumerate() {
-            if let (Some(a), Some(b)) = (mesh.corner(cell, edge[0]), mesh.corner(cell, edge[1])) {
-                coefficients[space.cell_dof(cell, e, 0)] = (a - b).norm_squared();
-            }
-        }
-    }
-    function(space, coefficients)
 }
 
 /// The Hessian at the flat metric.
@@ -91,7 +71,6 @@ fn bilinear<K: Formulas, const N: usize>(
     rho: &Regge<'_, f64, N>,
     sigma: &Regge<'_, f64, N>,
 ) -> f64 {
-    use super::density::{HingeTerms, Seen};
     let hats = Lagrange::new(mesh, 1);
     let rule = Rules::new::<N>(2).hinge;
     let (seen, on_rho, on_sigma) = (
@@ -115,7 +94,7 @@ fn bilinear<K: Formulas, const N: usize>(
 pub fn second_variation(draw: &mut Draw) -> (f64, f64) {
     let mesh = Shape::Torus(3).mesh::<3>();
     let regge = ReggeSpace::new(&mesh, 0);
-    let (g, sigma) = (euclidean(&regge), variation(&regge, draw));
+    let (g, sigma) = (flat(&regge), variation(&regge, draw));
     (
         hessian::<Paper, 3>(&mesh, &g, &sigma, &sigma),
         -bilinear::<Paper, 3>(&mesh, &g, &sigma, &sigma),
@@ -152,8 +131,9 @@ impl OnMesh for M13 {
             \dot\Theta_S\operatorname{Tr}(\sigma|_S)\omega_S,\qquad \frac{d^2}{dt^2}\Big|_0\langle (R\omega)_{\rm dist}
             (\delta+t\sigma),1\rangle = -\frac12\mathring{\sum_S}\int_S\sum_{F\supset S}[\![\sigma(n,\tau)]\!]_F
             \operatorname{Tr}(\sigma|_S)\omega_S",
-        sides: "Left: the functionals over dual and hyper-dual numbers. Right: normals and conormals of the flat metric. With \
-            the printed sign of τ the second variation comes out negated.",
+        sides: "Left: the functionals over dual and hyper-dual numbers: dihedral angles. Right: normals and conormals of the \
+            flat metric, no angle. With the printed sign of τ the second variation comes out negated. Along a path from δ: \
+            Taylor's formula with the remainder as an integral, where the volumes' second derivatives enter as well.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
 
@@ -168,7 +148,7 @@ impl OnMesh for M13 {
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, 0);
-        let g = euclidean(&regge);
+        let g = flat(&regge);
         let (rho, sigma) = (variation(&regge, draw), variation(&regge, draw));
         let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new::<N>(2));
         let gradient = |along: &Regge<'_, f64, N>, against: &Regge<'_, f64, N>| -> f64 {
@@ -200,6 +180,86 @@ impl OnMesh for M13 {
     }
 }
 
+/// The second variation along a finite path: f(δ+σ) = ∫₀¹ (1−t) f''(δ+tσ) dt, as f and f' vanish at δ.
+pub struct FromFlat;
+
+impl FromFlat {
+    /// −½ΣΣ⟦σ(n,τ)⟧Tr(σ|_S)ω_S = ΣΘ̇ Tr(σ|_S)ω_S and 2ΣΘV̈ = −½ΣΘ Tr(σ|_S)²ω_S at g: an edge has the length √q, q its
+    /// only coefficient.
+    fn second<K: Formulas, const N: usize>(
+        g: &Regge<'_, f64, N>,
+        sigma: &Regge<'_, f64, N>,
+    ) -> [f64; 2] {
+        let (mesh, space) = (g.space().mesh(), g.space());
+        let bent = hinges::<f64, N>(g).into_iter().map(|h| {
+            let side = mesh.first_side(N - 2, h.hinge);
+            let dof = space.cell_dof(side.cell, side.place, 0);
+            let trace = sigma.coefficients()[dof] / g.coefficients()[dof];
+            -0.5 * h.defect * trace * trace * h.volume
+        });
+        [bilinear::<K, N>(mesh, g, sigma, sigma), bent.sum()]
+    }
+
+    /// The integrals of both by so many Gauss points.
+    fn integrals<K: Formulas, const N: usize>(
+        ends: [&Regge<'_, f64, N>; 2],
+        points: usize,
+    ) -> [f64; 2] {
+        let mix = |a: f64, b: f64| {
+            let pairs = ends[0].coefficients().iter().zip(ends[1].coefficients());
+            function(ends[0].space(), pairs.map(|(x, y)| a * x + b * y).collect())
+        };
+        let sigma = mix(-1.0, 1.0);
+        let mut sums = [0.0; 2];
+        let (nodes, weights) = gauss_legendre(points);
+        for (t, w) in nodes.into_iter().zip(weights) {
+            let second = Self::second::<K, N>(&mix(1.0 - t, t), &sigma);
+            for (sum, x) in sums.iter_mut().zip(second) {
+                *sum += w * (1.0 - t) * x;
+            }
+        }
+        sums
+    }
+}
+
+impl OnMesh for FromFlat {
+    const RECORD: Record = M13::RECORD;
+    const METHOD: Method = Method::Homotopy;
+    const JUDGEMENT: Judgement = super::setting::QUADRATURE;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        let all = M13::settings(dimension, quick).into_iter();
+        all.take(8).collect()
+    }
+
+    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        let mesh = at.shape.mesh::<N>();
+        let (regge, hats) = (ReggeSpace::new(&mesh, 0), Lagrange::new(&mesh, 1));
+        let from = flat(&regge);
+        let to = near_flat(&regge, &draw.numbers(regge.len()), 0.05);
+        let rules = Rules::new::<N>(at.order);
+        let sums = distributional_curvature_with::<K, f64, N, _>(&to, &hats, &rules);
+        let [turn, bend] = Self::integrals::<K, N>([&from, &to], POINTS_IN_T);
+        let size: f64 = hinges::<f64, N>(&to)
+            .iter()
+            .map(|h| (h.defect * h.volume).abs())
+            .sum();
+        let names = ["−½∫(1−t)ΣΣ⟦σ(n,τ)⟧Tr(σ|_S) dt", "2∫(1−t)ΣΘV̈ dt"];
+        let mut equation = Equation::new("from the flat metric")
+            .left("⟨Rω(δ+σ),1⟩", sums.hinge.iter().sum::<f64>())
+            .right(names[0], turn)
+            .right(names[1], bend)
+            .magnitude(size)
+            .forge("the printed sign of τ", names[0], -turn);
+        for (points, name) in (1..).zip(["1 Gauss point in t", "2 Gauss points in t"]) {
+            let coarse = Self::integrals::<K, N>([&from, &to], points);
+            let both = names.into_iter().zip(coarse.map(|x| vec![x]));
+            equation = equation.forge_terms(name, both.collect()).somewhere();
+        }
+        vec![equation]
+    }
+}
+
 /// Regge's action.
 pub struct M14;
 
@@ -228,20 +288,11 @@ impl OnMesh for M14 {
         let g = metric(&regge, draw);
         let hats = Lagrange::new(&mesh, 1);
         let sums = distributional_curvature_with::<K, f64, N, _>(&g, &hats, &Rules::new::<N>(2));
-        let mut expected = vec![0.0; hats.len()];
-        let flat = super::euclid::hinges::<f64, N>(&g);
-        for h in &flat {
-            // A hat function's mean over a hinge with N−1 vertices.
-            let share = 2.0 * h.defect * h.volume / (N - 1) as f64;
-            for &v in mesh.vertices(N - 2, h.hinge) {
-                expected[v as usize] += share;
-            }
-        }
-        let size: f64 = flat.iter().map(|h| h.volume).sum();
+        let size: f64 = hinges::<f64, N>(&g).iter().map(|h| h.volume).sum();
         vec![
             Equation::new("⟨Rω,v⟩")
                 .left("2Σ_S ∫Θvω_S", sums.hinge.clone())
-                .right("2Σ Θ ∫v", expected.clone())
+                .right("2Σ Θ ∫v", against_hats(&g))
                 // Θ is a difference of angles of size 2π.
                 .magnitude(std::f64::consts::TAU * size)
                 .forge(
