@@ -11,6 +11,7 @@ mod reproduce;
 mod stop;
 mod table;
 mod values;
+#[cfg(feature = "catalogue")]
 mod verify;
 
 use clap::error::ErrorKind;
@@ -43,6 +44,7 @@ struct Cli {
 enum Command {
     Reproduce(reproduce::Args),
     Converge(converge::Args),
+    #[cfg(feature = "catalogue")]
     Verify(verify::Args),
     Curvature(curvature::Args),
 }
@@ -76,6 +78,7 @@ fn run(command: Command) -> Result<(), Stop> {
     match command {
         Command::Reproduce(args) => args.run(),
         Command::Converge(args) => args.run(),
+        #[cfg(feature = "catalogue")]
         Command::Verify(args) => args.run(),
         Command::Curvature(args) => args.run(),
     }
