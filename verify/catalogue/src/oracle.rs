@@ -49,8 +49,8 @@ pub struct Curvature {
     pub face: Vec<f64>,
     /// Σ_S, factor 2 included.
     pub angle: Vec<f64>,
-    /// ∫Rωφ_i of the smooth metric.
-    pub smooth: Vec<f64>,
+    /// ∫Rωφ_i of the smooth metric, where there was a closed form.
+    pub smooth: Option<Vec<f64>>,
 }
 
 impl Curvature {

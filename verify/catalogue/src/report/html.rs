@@ -2,7 +2,7 @@
 
 use super::chart::strips;
 use super::formula::{escape, mathml};
-use super::page::{allowed, names, residual};
+use super::page::{SHARED, allowed, names, residual};
 use super::{Entry, Report, Row, Verdict};
 use crate::claim::Record;
 use std::fmt::Write;
@@ -22,11 +22,10 @@ pub fn document(report: &Report, records: &[&Record]) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
          <meta name=\"viewport\" content=\"width=device-width\">\
          <title>regge: verification report</title><style>{STYLE}</style></head><body>\n\
-         <h1>Verification report</h1>\n<p>regge {}, revision {}. {}</p>\n\
+         <h1>Verification report</h1>\n<p>regge {}. {}</p>\n<p>{SHARED}</p>\n\
          <p>In the pictures a dot is the worst residual of a claim and a stroke is a forgery, both over the \
          tolerance, which is the dashed line at 1.</p>\n",
         escape(&report.version),
-        escape(&report.revision),
         escape(&report.conclusion()),
     );
     let rows = report.rows();
@@ -74,6 +73,9 @@ fn section(html: &mut String, row: &Row<'_>, record: &Record) {
         mathml(record.statement),
         escape(record.sides),
     );
+    for excuse in row.excuses() {
+        let _ = writeln!(html, "<p>{}</p>", escape(&excuse));
+    }
     if !record.paper.is_empty() {
         let _ = writeln!(
             html,

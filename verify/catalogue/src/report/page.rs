@@ -52,11 +52,17 @@ pub(super) fn allowed(entry: &Entry) -> String {
     }
 }
 
+/// What the reader of a claim should know of all of them.
+pub(super) const SHARED: &str = "\
+Each page says what keeps the two sides of a claim apart. Points, meshes, quadrature, jets and polynomials (floors 0 to 2 \
+of the library) serve both sides. Of what lies above, both sides may use the connection, normals and volume forms of a \
+metric; where one formula of the paper is on both sides, the page says so, and which claim pins it down against a value \
+from elsewhere.";
+
 fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
     let mut text = format!(
-        "# Verification report\n\nregge {}, revision {}. {}\n| claim | | N | by | cases | worst residual | weakest forgery | verdict |\n|---|---|---|---|---|---|---|---|\n",
+        "# Verification report\n\nregge {}. {}\n{SHARED}\n\n| claim | | N | by | cases | worst residual | weakest forgery | verdict |\n|---|---|---|---|---|---|---|---|\n",
         report.version,
-        report.revision,
         report.conclusion(),
     );
     for row in rows {
@@ -84,7 +90,7 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
         let _ = writeln!(text, "| {} | {} |", cell(name), labels.join(", "));
     }
     Page {
-        name: "README.md".to_owned(),
+        name: "index.md".to_owned(),
         content: text,
     }
 }
@@ -111,6 +117,9 @@ fn page(row: &Row<'_>, record: &Record) -> String {
         let _ = write!(text, "In the paper: {}.\n\n", labels.join(", "));
     }
     let _ = write!(text, "{}\n\n", record.sides);
+    for excuse in row.excuses() {
+        let _ = write!(text, "{excuse}\n\n");
+    }
     text += "| N | by | scalar | cases | worst residual | allowed | verdict |\n|---|---|---|---|---|---|---|\n";
     for e in &row.entries {
         let _ = writeln!(

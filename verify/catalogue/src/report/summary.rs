@@ -52,6 +52,15 @@ impl<'a> Row<'a> {
         all.min_by(|a, b| a.margin.unwrap_or(0.0).total_cmp(&b.margin.unwrap_or(0.0)))
     }
 
+    /// What the claim need not do, in whole sentences.
+    pub fn excuses(&self) -> Vec<String> {
+        let one = self.entries.iter().find_map(|e| e.one_method.as_ref());
+        let few = self.entries.iter().find_map(|e| e.few_cases.as_ref());
+        let one = one.map(|why| format!("One method only: {why}."));
+        let few = few.map(|why| format!("Few instances: {why}."));
+        one.into_iter().chain(few).collect()
+    }
+
     /// Pass if all entries do.
     pub fn verdict(&self) -> Verdict {
         let fails = self.entries.iter().any(|e| e.verdict == Verdict::Fail);

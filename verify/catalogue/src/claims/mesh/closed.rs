@@ -49,7 +49,7 @@ impl Evolution for M08 {
         statement: r"\partial\Omega=\emptyset:\quad b_h(g;\sigma,1)=0,\qquad \frac{d}{dt}\langle (R\omega)_{\rm dist}(g+t\sigma),
             1\rangle = -\langle (G\omega)_{\rm dist}(g),\sigma\rangle",
         sides: "Left: the functional of g + tσ. Right: the distributional Einstein tensor, with G, II‾ and Θ without a \
-            derivative in t. No integral of one side is one of the other.",
+            derivative in t. No integral of one side is one of the other. Both use R, H and Θ, the left their change and the right their values, which D11 pins down.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 

@@ -27,7 +27,8 @@ impl OnMesh for M12 {
         statement: r"\langle (G\omega)_{\rm dist}(g),\sigma\rangle = -\mathring{\sum_S}\int_S\Theta_S\operatorname{Tr}(\sigma|_S)
             \,\omega_S = -2\,\mathring{\sum_S}\,\Theta_S\dot V_S",
         sides: "Left: the production a_h with v = 1. Right: angles and volumes from edge lengths by Cholesky's factors, over \
-            dual numbers: nothing of the library.",
+            dual numbers: nothing of the library. Exactly: Tr(σ|_S)ω_S = 2V̇_S, with V_S a root of a minor of g; Θ_S is only a \
+            factor on both sides.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
 

@@ -48,7 +48,7 @@ impl OnMesh for M07 {
         paper: &["def:distein"],
         title: "The distributional Einstein tensor of a surface vanishes",
         statement: r"N=2:\qquad (G\omega)_{\rm dist}(g)=0,\ \text{each of its three sums for itself}",
-        sides: "Left: each sum of the production a_h. Right: nothing.",
+        sides: "Left: each sum of the production a_h; exactly, what is integrated there. Right: nothing.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
 

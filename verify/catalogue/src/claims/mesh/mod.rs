@@ -27,10 +27,21 @@ mod traces;
 mod variation;
 
 use super::Catalogue;
+use crate::claim::Record;
 pub(crate) use constant::second_variation;
 use evolution::{ByAd, ByPath, Evolution};
 use regge::formulas::Formulas;
 use setting::{MeshCheck, OnMesh};
+
+/// Those of claims that are checked at a point or by exact integrals as well.
+pub(super) const M04_RECORD: Record = <parts::M04 as OnMesh>::RECORD;
+pub(super) const M07_RECORD: Record = <einstein::M07 as OnMesh>::RECORD;
+pub(super) const M12_RECORD: Record = <constant::M12 as OnMesh>::RECORD;
+pub(super) const M19_RECORD: Record = <einstein::M19 as OnMesh>::RECORD;
+pub(super) const M20_RECORD: Record = <traces::M20 as OnMesh>::RECORD;
+pub(super) const T01_RECORD: Record = <stokes::T01 as OnMesh>::RECORD;
+pub(super) const T03_RECORD: Record = <parts::T03 as OnMesh>::RECORD;
+pub(super) const T04_RECORD: Record = <parts::T04 as OnMesh>::RECORD;
 
 /// Adds them all, by the formulas K.
 pub fn checks<K: Formulas>(all: &mut Catalogue) {
@@ -82,6 +93,7 @@ pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<gauge::Straight, K, N>(all);
     both::<simplex::M17, K, N>(all);
     add::<bianchi::M18, K, N>(all);
+    add::<bianchi::Invariance, K, N>(all);
     add::<einstein::M19, K, N>(all);
     add::<traces::M20, K, N>(all);
     both::<simplex::P04, K, N>(all);

@@ -37,7 +37,8 @@ impl OnMesh for M04 {
             [\![(\operatorname{div}\mathbb{S}\sigma)(n)+\operatorname{div}_F(\sigma(n,\cdot))-H\sigma(n,n)]\!]v\omega_F
             - \mathring{\sum_S}\int_S\sum_{F\supset S}[\![\sigma(n,\tau)]\!]_F v\omega_S = b_h(g;\sigma,v)\quad\forall v\in V",
         sides: "Left: derivatives of σ and none of v. Right: the production b_h, with derivatives of v and none of σ. They \
-            agree in the limit of exact quadrature.",
+            agree in the limit of exact quadrature. Exactly as T04, on a triangle cut into three, with v a multiple of a hat \
+            function and σ(n,n) discontinuous.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -107,7 +108,10 @@ impl OnMesh for T04 {
             \bigl((\operatorname{div}\mathbb{S}\sigma)(n)+\operatorname{div}_F(\sigma(n,\cdot))-H\sigma(n,n)\bigr)v\omega_F
             - \sum_{S}\int_S\sum_{F\supset S}\sigma(n,\tau)v\omega_S = \int_T\langle\mathbb{S}\sigma,\nabla\nabla v\rangle\omega
             - \sum_F\int_F\mathbb{S}\sigma(n,n)\nabla_n v\,\omega_F",
-        sides: "Left: derivatives of σ and none of v, boundary included. Right: the production b_h on a mesh of one cell.",
+        sides: "Left: derivatives of σ and none of v, boundary included. Right: the production b_h on a mesh of one cell: \
+            derivatives of v and none of σ. Exactly: g = LLᵀ with L unipotent and affine, which is curved, and v = (∏_F q_F)²w \
+            with q_F = ν·g⁻¹ν, so that every integrand is a polynomial and is integrated without error. τ points into F; the \
+            paper prints + for the sum over S, a forgery here.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -141,7 +145,8 @@ impl OnMesh for T03 {
         statement: r"\int_T\langle\mathbb{S}\sigma,\nabla\nabla v\rangle\omega = \int_{\partial T}\mathbb{S}\sigma(n,\nabla v)
             - \int_T(\operatorname{div}\mathbb{S}\sigma)(\nabla v)\omega = \int_{\partial T}\mathbb{S}\sigma(n,\nabla v) -
             \int_{\partial T}(\operatorname{div}\mathbb{S}\sigma)(n)v + \int_T(\operatorname{div}\operatorname{div}\mathbb{S}\sigma)v\omega",
-        sides: "Left: the production b_h's cell term. Right: no second derivatives of v, then no derivatives of v in the cell.",
+        sides: "Left: second derivatives of v, in the production b_h's cell term. Right: no second derivatives of v, then no \
+            derivatives of v in the cell. Exactly as T04.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 

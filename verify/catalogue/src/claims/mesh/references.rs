@@ -150,7 +150,7 @@ impl OnMesh for SmoothOracle {
     const JUDGEMENT: Judgement = NGSOLVE;
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        cases(dimension, quick, |_| true)
+        cases(dimension, quick, |case| case.curvature.smooth.is_some())
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
@@ -169,7 +169,7 @@ impl OnMesh for SmoothOracle {
                 .vanishes(true, "g is smooth")
                 .left("2Σ̊_S ∫Θvω_S", known.tested(&sums.hinge))
                 .vanishes(true, "g is smooth")
-                .right("NGSolve", known.smooth.clone()),
+                .right("NGSolve", known.smooth.clone().unwrap_or_default()),
         ]
     }
 }

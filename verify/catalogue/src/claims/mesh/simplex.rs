@@ -61,7 +61,7 @@ impl Evolution for M17 {
             - \Bigl[\int_T\langle G,\sigma\rangle v\omega + \sum_F\int_F\langle\overline{I\!I},\sigma|_F\rangle v\omega_F +
             \sum_S\int_S\theta\operatorname{Tr}(\sigma|_S)v\omega_S\Bigr]",
         sides: "Left: R, H and dihedral angles of g + tσ. Right: b_h, and G, II‾ and θ without a derivative in t; the integrals \
-            have nothing in common. There is one cell, so that no continuity is used: the theorem holds cell by cell.",
+            have nothing in common. There is one cell, so that no continuity is used: the theorem holds cell by cell. Both use R, H and θ, the left their change and the right their values, which D09 and D11 pin down.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -140,7 +140,7 @@ impl Evolution for P04 {
             \mathbb{S}\sigma)v\omega = \int_\Omega\langle\mathbb{S}\sigma,\nabla\nabla v\rangle\omega
             \ \text{ if } v=0,\ \nabla v=0\text{ on }\partial\Omega",
         sides: "Left: R ω of g + tσ. Right: second derivatives of σ, or of v instead; G. g and σ are polynomials on a \
-            simplex, v = (∏λ_i)²w has compact support in it.",
+            simplex, v = (∏λ_i)²w has compact support in it. Both use R, the left its change and the right its value, which O03 pins down.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 

@@ -3,7 +3,7 @@
 use super::density::{FaceTerms, HingeTerms, Seen};
 use super::fields::{Regge, metric, torn, variation};
 use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape, grid};
-use crate::claim::{Equation, Judgement, Record};
+use crate::claim::{Equation, Excuses, Judgement, Record};
 use regge::field::TensorField;
 use regge::formulas::Formulas;
 use regge::lagrange::Lagrange;
@@ -188,6 +188,10 @@ impl OnMesh for D14 {
         sides: "The first and the last cell around each simplex of dimension 1 to N − 1, each in its own coordinates.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
+
+    const EXCUSES: Excuses = Excuses::one_method(
+        "it is about the numbering of the coefficients, which there is once for all scalars",
+    );
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
         some(dimension, quick)

@@ -60,7 +60,7 @@ impl Evolution for M05 {
             \qquad \forall v \in V",
         sides: "Left: the functional of def:distcurv (Ricci's formula, H, dihedral angles) of g + tσ. Right: b_h has second \
             derivatives of v and none of σ, a_h has G, II‾ and Θ without a derivative in t. They agree in the limit of exact \
-            quadrature, and no integral of one side is one of the other.",
+            quadrature, and no integral of one side is one of the other. Both use R, H and Θ, the left their change and the right their values, which D11 pins down.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
