@@ -229,6 +229,13 @@ impl Equation<f64> {
         sum
     }
 
+    /// Does it fail, and so does this equation of the same form, which is of much the same size? Where everything
+    /// vanishes, rounding alone would fail.
+    pub fn fails_like(&self, other: &Self, tolerance: f64) -> bool {
+        let fails = |e: &Self| !e.is_poisoned() && e.residual(&[]) > tolerance;
+        fails(self) && fails(other) && self.scale() > 1e-2 * other.scale()
+    }
+
     /// All its vectors, those of the forgeries included.
     fn vectors(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
         let forged = self.forged.iter_mut().flat_map(|f| &mut f.replaced);

@@ -2,7 +2,7 @@
 
 use super::density::{HingeTerms, Seen};
 use super::euclid::{FlatHinge, against_hats, hinges};
-use super::evolution::POINTS_IN_T;
+use super::evolution::{POINTS_IN_T, too_few};
 use super::fields::{Regge, Tested, flat, function, metric, moving, near_flat, times, variation};
 use super::pair::with_pair;
 use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape, grid};
@@ -252,7 +252,7 @@ impl OnMesh for FromFlat {
             .right(names[1], bend)
             .magnitude(size)
             .forge("the printed sign of τ", names[0], -turn);
-        for (points, name) in (1..).zip(["1 Gauss point in t", "2 Gauss points in t"]) {
+        for (points, name) in too_few(N) {
             let coarse = Self::integrals::<K, N>([&from, &to], points);
             let both = names.into_iter().zip(coarse.map(|x| vec![x]));
             equation = equation.forge_terms(name, both.collect()).somewhere();

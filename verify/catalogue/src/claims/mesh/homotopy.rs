@@ -1,6 +1,6 @@
 //! M06: eq. integralformula, the difference of two curvatures as an integral over t; and at one t, by AD.
 
-use super::evolution::POINTS_IN_T;
+use super::evolution::{POINTS_IN_T, too_few};
 use super::fields::{Regge, Tested, Three, minus, rates};
 use super::patch::Patch;
 use super::setting::{Draw, OnMesh, QUADRATURE, Setting, Shape};
@@ -70,8 +70,7 @@ impl<K: Formulas, const N: usize> Ends<'_, K, N> {
             .right("−∫a_h dt", a)
             .vanishes(N == 2, NONE);
         // The margins show how fast it converges in t.
-        let names = ["1 Gauss point in t", "2 Gauss points in t"];
-        for (points, name) in (1..).zip(names) {
+        for (points, name) in too_few(N) {
             let [b, a] = self.integral(points);
             equation = equation
                 .forge_terms(name, vec![("∫b_h dt", b), ("−∫a_h dt", a)])
@@ -123,8 +122,8 @@ fn interpolant<'s, const N: usize>(
 /// Every interpolant of every degree, so many times.
 fn settings(dimension: usize, degrees: usize, times: usize) -> Vec<Setting> {
     let (shape, order) = match dimension {
-        2 => (Shape::Cube(2), 20),
-        3 => (Shape::Alfeld, 22),
+        2 => (Shape::Cube(2), 24),
+        3 => (Shape::Alfeld, 26),
         _ => return Vec::new(),
     };
     let of = |degree| {

@@ -230,15 +230,19 @@ impl<C: OnMesh, K: Formulas, const N: usize> Check for MeshCheck<C, K, N> {
 const SHRINKS: usize = 100;
 
 impl<C: OnMesh, K: Formulas, const N: usize> MeshCheck<C, K, N> {
-    fn fails(at: &Setting, key: &Key<'_>, numbers: &[f64]) -> bool {
-        let equations = C::equations::<K, N>(at, &mut Draw::replay(key, numbers));
-        let poisoned = equations.iter().any(Equation::is_poisoned);
-        !poisoned && !Tally::new(C::JUDGEMENT).add(&Case::default(), &equations)
+    fn equations(at: &Setting, key: &Key<'_>, numbers: &[f64]) -> Vec<Equation<f64>> {
+        C::equations::<K, N>(at, &mut Draw::replay(key, numbers))
     }
 
     /// Sets numbers to zero that the failure does not need: halves of them, quarters, and so on, as long as the budget
     /// lasts. (The mesh and r need no shrinking: the simplest cases come first.)
     fn shrink(at: &Setting, key: &Key<'_>, mut numbers: Vec<f64>) -> Vec<String> {
+        let failed = Self::equations(at, key, &numbers);
+        let fails = |numbers: &[f64]| {
+            let tried = Self::equations(at, key, numbers);
+            let mut pairs = tried.iter().zip(&failed);
+            pairs.any(|(e, whole)| e.fails_like(whole, C::JUDGEMENT.tolerance()))
+        };
         let (mut tries, mut chunk) = (0, numbers.len().div_ceil(2));
         while chunk > 0 && tries < SHRINKS {
             for start in (0..numbers.len()).step_by(chunk) {
@@ -249,7 +253,7 @@ impl<C: OnMesh, K: Formulas, const N: usize> MeshCheck<C, K, N> {
                 tries += 1;
                 let kept = numbers[start..end].to_vec();
                 numbers[start..end].fill(0.0);
-                if !Self::fails(at, key, &numbers) {
+                if !fails(&numbers) {
                     numbers[start..end].copy_from_slice(&kept);
                 }
             }

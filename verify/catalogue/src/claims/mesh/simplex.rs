@@ -154,7 +154,8 @@ impl Evolution for P04 {
         let all = grid(&[Shape::Single], &orders(dimension), times).into_iter();
         all.filter(|at| at.degree > 0)
             .map(|at| Setting {
-                order: at.order + test - at.test,
+                // The degree of v, and what its high powers need.
+                order: at.order + test - at.test + 6,
                 test,
                 ..at
             })
