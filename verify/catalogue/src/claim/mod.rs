@@ -11,6 +11,7 @@ mod pointwise;
 mod scalar;
 pub mod seed;
 mod tally;
+mod weighted;
 
 pub use check::{Budget, Check, ENOUGH, Excuses};
 pub use equation::{Components, Equation, Forged, Relation, Term};

@@ -1,81 +1,20 @@
-//! D10: smooth metrics. M16: flat metrics in disguise.
+//! M16: flat metrics in disguise.
 
 use super::evolution::POINTS_IN_T;
 use super::fields::{Regge, Tested, function, metric, values};
 use super::pair::Pair;
-use super::patch::Patch;
-use super::setting::{Draw, OnMesh, QUADRATURE, ROUNDING, Setting, Shape, grid};
+use super::setting::{Draw, OnMesh, QUADRATURE, ROUNDING, Setting, Shape};
 use crate::claim::{Equation, Judgement, Method, Record};
 use regge::field::TensorField;
 use regge::formulas::Formulas;
-use regge::functional::{Rules, a_h_with, distributional_curvature_with, smooth_curvature};
+use regge::functional::{Rules, a_h_with, distributional_curvature_with};
 use regge::jet::Jet2;
 use regge::lagrange::Lagrange;
 use regge::linalg::{Mat, Vector, symmetric};
 use regge::mesh::Mesh;
-use regge::metrics::Metric;
 use regge::quadrature::gauss_legendre;
 use regge::regge::{Canonical, ReggeSpace};
 use regge::simplex::{Bernstein, Points};
-use regge::smooth::Smooth;
-
-/// A smooth metric has no jumps.
-pub struct D10;
-
-impl OnMesh for D10 {
-    const RECORD: Record = Record {
-        label: "D10",
-        paper: &["def:distcurv"],
-        title: "For smooth metrics the distributional curvature is the curvature",
-        statement: r"g\text{ smooth}:\quad [\![H]\!]_F=0,\ [\![I\!I]\!]_F=0,\ \Theta_S=0,\quad (R\omega)_{\rm dist}(g)=(R\omega)(g)",
-        sides: "Left: the production sums of a metric that each cell sees in coordinates of its own; a factor or normal that is \
-            wrong on one side of a face leaves something behind. Right: ∫Rvω over the cells alone, by the same R (checked by \
-            O01–O03); as an oracle, NGSolve's integral of the curvature in closed form.",
-    };
-    const JUDGEMENT: Judgement = ROUNDING;
-
-    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        let shapes = [Shape::Alfeld, Shape::Cube(2)];
-        match (dimension, quick) {
-            (2 | 3, true) => grid(&shapes[..1], &[3], 3),
-            (2 | 3, false) => grid(&shapes, &[4], 15),
-            (4, _) => grid(&shapes[..1], &[3], if quick { 1 } else { 6 }),
-            _ => Vec::new(),
-        }
-    }
-
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
-        let formula = [Metric::Trig, Metric::GraphQuartic, Metric::Sphere][at.pick % 3];
-        // The mesh has coordinates.
-        let g = Smooth::new(&mesh, Patch::new(formula, draw)).unwrap_or_else(|e| panic!("{e}"));
-        let sums = values(distributional_curvature_with::<K, f64, N, _>(
-            &g, &space, &rules,
-        ));
-        let a = values(a_h_with::<K, f64, N, _, _>(&g, &g, &space, &rules));
-        let smooth = smooth_curvature::<f64, N, _>(&g, &space, &rules.element);
-        let why = "g is smooth";
-        vec![
-            Equation::new("(Rω)_dist")
-                .left("Σ_T ∫Rvω", sums.t)
-                .left("2Σ̊_F ∫⟦H⟧vω_F", sums.f)
-                .vanishes(true, why)
-                .left("2Σ̊_S ∫Θvω_S", sums.s)
-                .vanishes(true, why)
-                .right("∫Rvω", smooth)
-                // Angles of size 2π cancel around hinges of size 1, and as much in ⟦H⟧.
-                .magnitude(1.0),
-            Equation::new("(Gω)_dist")
-                .left("Σ̊_F ∫⟨⟦II‾⟧,g⟩vω_F", a.f)
-                .vanishes(true, why)
-                .left("−Σ̊_S ∫Θ Tr(g|_S)vω_S", a.s)
-                .vanishes(true, why)
-                .magnitude(1.0),
-        ]
-    }
-}
 
 /// φ*δ for a continuous piecewise polynomial map φ of degree s: g_mn = ∂_mφ·∂_nφ. Or, with another map ψ, the
 /// symmetric ½(∂_mφ·∂_nψ + ∂_mψ·∂_nφ).
@@ -269,28 +208,14 @@ impl OnMesh for Straight {
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
+        let space = Lagrange::new(&mesh, at.test);
         let start = identity_map(&mesh, at.degree);
         let u = displacement(start.len(), draw);
-        let (regge, space) = (
-            ReggeSpace::new(&mesh, 2 * (at.degree - 1)),
-            Lagrange::new(&mesh, at.test),
-        );
         let mut sums: [Vec<f64>; 4] = std::array::from_fn(|_| vec![0.0; space.len()]);
         let (nodes, weights) = gauss_legendre(POINTS_IN_T);
         for (t, w) in nodes.into_iter().zip(weights) {
-            let phi = moved(&start, t, &u);
-            let g = PullBack::new(&mesh, at.degree, phi.clone());
-            // ġ = ∂φ·∂u + ∂u·∂φ.
-            let twice = moved(&u, 1.0, &u);
-            let rate = PullBack::polarised(&mesh, at.degree, phi, twice);
-            let pair = Pair {
-                space: &space,
-                rules: Rules::new::<N>(at.order),
-                g: as_regge(&regge, &g, at.degree),
-                sigma: as_regge(&regge, &rate, at.degree),
-            };
-            let (b, a) = (pair.b::<K>(), pair.a::<K>());
-            for (sum, term) in sums.iter_mut().zip([b.t, b.f, a.f, a.s]) {
+            let terms = Self::forms::<K, N>(at, &space, &moved(&start, t, &u), &u);
+            for (sum, term) in sums.iter_mut().zip(terms) {
                 for (s, x) in sum.iter_mut().zip(term) {
                     *s += w * x;
                 }
@@ -306,7 +231,31 @@ impl OnMesh for Straight {
                 .vanishes(true, "no jump of II")
                 .left("−Σ̊_S ∫∫Θ Tr(ġ|_S)vω_S dt", defects)
                 .vanishes(true, "Θ = 0")
+                // ġ is as large as the displacement, Θ a difference of angles near 2π.
                 .magnitude(0.03),
         ]
+    }
+}
+
+impl Straight {
+    /// The sums of b_h over cells and faces, of a_h over faces and hinges, at g = φ*δ with ġ = ∂φ·∂u + ∂u·∂φ.
+    fn forms<K: Formulas, const N: usize>(
+        at: &Setting,
+        space: &Lagrange<'_, N>,
+        phi: &[Vector<f64, N>],
+        u: &[Vector<f64, N>],
+    ) -> [Vec<f64>; 4] {
+        let mesh = space.mesh();
+        let regge = ReggeSpace::new(mesh, 2 * (at.degree - 1));
+        let g = PullBack::new(mesh, at.degree, phi.to_vec());
+        let rate = PullBack::polarised(mesh, at.degree, phi.to_vec(), moved(u, 1.0, u));
+        let pair = Pair {
+            space,
+            rules: Rules::new::<N>(at.order),
+            g: as_regge(&regge, &g, at.degree),
+            sigma: as_regge(&regge, &rate, at.degree),
+        };
+        let (b, a) = (pair.b::<K>(), pair.a::<K>());
+        [b.t, b.f, a.f, a.s]
     }
 }

@@ -13,13 +13,16 @@ mod euclid;
 mod evolution;
 pub mod fields;
 mod gauge;
+mod hessian;
 mod homotopy;
+mod invariance;
 mod pair;
 mod parts;
 mod patch;
 mod references;
 pub mod setting;
 mod simplex;
+mod smooth;
 mod spaces;
 mod stokes;
 mod tables;
@@ -28,8 +31,8 @@ mod variation;
 
 use super::Catalogue;
 use crate::claim::Record;
-pub(crate) use constant::second_variation;
 use evolution::{ByAd, ByPath, Evolution};
+pub(crate) use hessian::second_variation;
 use regge::formulas::Formulas;
 use setting::{MeshCheck, OnMesh};
 
@@ -65,7 +68,7 @@ fn both<C: Evolution, K: Formulas, const N: usize>(all: &mut Catalogue) {
 
 /// Adds those of dimension N.
 pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
-    add::<gauge::D10, K, N>(all);
+    add::<smooth::D10, K, N>(all);
     add::<references::SmoothOracle, K, N>(all);
     add::<references::D11, K, N>(all);
     add::<references::FromFlat, K, N>(all);
@@ -83,8 +86,8 @@ pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<ByPath<closed::Action>, K, N>(all);
     both::<einstein::M10, K, N>(all);
     add::<constant::M12, K, N>(all);
-    add::<constant::M13, K, N>(all);
-    add::<constant::FromFlat, K, N>(all);
+    add::<hessian::M13, K, N>(all);
+    add::<hessian::FromFlat, K, N>(all);
     add::<constant::M14, K, N>(all);
     add::<references::ActionOracle, K, N>(all);
     add::<closed::M15, K, N>(all);
@@ -93,7 +96,7 @@ pub fn checks_in<K: Formulas, const N: usize>(all: &mut Catalogue) {
     add::<gauge::Straight, K, N>(all);
     both::<simplex::M17, K, N>(all);
     add::<bianchi::M18, K, N>(all);
-    add::<bianchi::Invariance, K, N>(all);
+    add::<invariance::Invariance, K, N>(all);
     add::<einstein::M19, K, N>(all);
     add::<traces::M20, K, N>(all);
     both::<simplex::P04, K, N>(all);

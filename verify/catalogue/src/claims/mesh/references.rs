@@ -2,9 +2,9 @@
 
 use super::euclid;
 use super::fields::{Three, flat, function, minus, times};
-use super::gauge::D10;
 use super::pair::Pair;
 use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape};
+use super::smooth::D10;
 use super::spaces::I29;
 use super::variation::FLAT;
 use crate::claim::{Equation, Excuses, Judgement, Method, Record};
