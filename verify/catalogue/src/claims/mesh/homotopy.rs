@@ -86,6 +86,7 @@ impl<K: Formulas, const N: usize> Ends<'_, K, N> {
         let sums = distributional_curvature_with::<K, Dual64, N, _>(&moving, space, rules);
         let Three { t: cells, f, s } = Tested::Inner.of_sums(space, &rates(&sums));
         let [b, a] = self.forms(t);
+        let curvature = smooth_curvature::<f64, N, _>(self.g, space, &rules.element);
         Equation::new("at one t")
             .left("d/dt Σ_T ∫Rvω", cells)
             .left("d/dt 2Σ̊_F ∫⟦H⟧vω_F", f)
@@ -93,6 +94,8 @@ impl<K: Formulas, const N: usize> Ends<'_, K, N> {
             .right("b_h", b)
             .right("−a_h", a)
             .vanishes(N == 2, NONE)
+            // σ is a small difference of two metrics: what is rounded is of their size.
+            .magnitude(self.inner(&curvature))
     }
 }
 

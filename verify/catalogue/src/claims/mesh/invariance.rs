@@ -144,14 +144,14 @@ impl OnMesh for Invariance {
         let rules = Rules::new::<N>(at.order);
         let before = distributional_curvature_with::<K, f64, N, _>(&g, &space, &rules).pair(&v);
         let [after, unmoved] = transformed::<K, N>(Tangent { g: &g, c }, &space, &v, &rules);
-        let size = before.iter().map(|x| x.abs()).sum::<f64>();
         let one = |k: usize, name, flat: bool| {
             Equation::new(name)
                 .left("of φ*g, v∘φ", after[k])
                 .vanishes(flat, FLAT)
                 .right("of g, v", before[k])
                 .vanishes(flat, FLAT)
-                .magnitude(size)
+                // Angles of size 2π cancel around hinges of size 1, and as much in R and ⟦H⟧ of φ*g.
+                .magnitude(1.0)
                 .forge("v for v∘φ", "of φ*g, v∘φ", unmoved[k])
                 .vacuous(flat, FLAT)
                 .vacuous(k == 2 && N == 2, "φ leaves vertices where they are")
