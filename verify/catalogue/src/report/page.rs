@@ -70,12 +70,11 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
             .iter()
             .find(|r| r.label == row.label)
             .map_or("", |r| r.title);
-        let dimensions: Vec<String> = row.dimensions().iter().map(usize::to_string).collect();
         let _ = writeln!(
             text,
             "| [{0}]({0}.md) | {title} | {1} | {2} | {3} | {4} | {5} | {6} |",
             row.label,
-            dimensions.join(", "),
+            row.dimensions_listed(),
             row.methods().join(", "),
             row.cases(),
             row.worst_residual()
@@ -158,7 +157,7 @@ fn forgeries(text: &mut String, row: &Row<'_>) {
             .filter(|(_, f)| !f.caught)
             .map(|(e, _)| at(e))
             .collect();
-        let weakest = found.iter().filter_map(|(_, f)| f.margin).reduce(f64::min);
+        let weakest = row.weakest_of(&name);
         let reason = row.entries.iter().find_map(|e| {
             let v = e.vacuous.iter().find(|v| v.name == name)?;
             Some(format!("N = {}: {}", e.dimension, v.reason))
