@@ -126,7 +126,8 @@ impl OnMesh for T01 {
         title: "Stokes' theorem on a face, for forms that are not tangential",
         statement: r"\int_F(\operatorname{div}_F\alpha)\,\omega_F = \int_{\partial F}\alpha(\nu_F)\,\omega_{\partial F} +
             \int_F H\alpha(n)\,\omega_F",
-        sides: "Left: derivatives of α on the face. Right: none. Flat faces in a curved metric, every face of a simplex.",
+        sides: "Left: derivatives of α on the face. Right: none. Flat faces in a curved metric, every face of a simplex. Exactly \
+            as T04, for α = vσ(n,·).",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
