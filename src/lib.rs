@@ -55,7 +55,7 @@
 //! | 4 | [`hypersurface`], [`hinge`], [`formulas`] |
 //! | 5 | [`mod@regge`], [`lagrange`], [`smooth`], [`metrics`] |
 //! | 6 | [`functional`] |
-//! | 7 | `norm` (feature `norms`) |
+//! | 7 | `norm`, `project` (feature `norms`) |
 //!
 //! # Features
 //! Without default features the crate is scalars to functionals on nalgebra and num-dual alone. `norms` adds the H⁻²
@@ -76,6 +76,8 @@ pub mod metrics;
 #[cfg(feature = "norms")]
 pub mod norm;
 mod parallel;
+#[cfg(feature = "norms")]
+pub mod project;
 pub mod quadrature;
 pub mod regge;
 pub mod riemann;

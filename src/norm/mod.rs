@@ -18,7 +18,7 @@ mod cell;
 mod direct;
 mod dissection;
 mod element;
-mod factor;
+pub(crate) mod factor;
 mod hhj;
 mod layout;
 mod sparse;

@@ -1,16 +1,21 @@
 //! The command line: arguments in, tables, files and exit codes out. Only here is anything printed.
 
+mod action;
 mod converge;
 mod curvature;
+mod einstein;
+mod given;
 mod job;
 mod notes;
 mod output;
+mod phases;
 mod picture;
 mod progress;
 mod reproduce;
 mod stop;
 mod table;
 mod values;
+#[cfg(feature = "catalogue")]
 mod verify;
 
 use clap::error::ErrorKind;
@@ -25,7 +30,9 @@ Examples:
   regge reproduce table2 --levels 0..=2   Table 2, N = 3, on three meshes
   regge reproduce figure2                 the critical term, averaged and canonical interpolant
   regge converge --metric trig --dimension 3 --degree 1 --levels 0..=3 --plot trig.svg
-  regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json
+  regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json --vtu c.vtu --plot c.svg
+  regge einstein --mesh m.msh --lengths l.csv --json e.json
+  regge action --mesh m.msh --lengths l.csv --csv gradient.csv
 
 Exit codes: 0 done, 1 a computation or a file failed, 2 bad arguments.";
 
@@ -43,8 +50,11 @@ struct Cli {
 enum Command {
     Reproduce(reproduce::Args),
     Converge(converge::Args),
+    #[cfg(feature = "catalogue")]
     Verify(verify::Args),
-    Curvature(curvature::Args),
+    Curvature(Box<curvature::Args>),
+    Einstein(einstein::Args),
+    Action(action::Args),
 }
 
 /// Runs the command line of this process.
@@ -76,8 +86,11 @@ fn run(command: Command) -> Result<(), Stop> {
     match command {
         Command::Reproduce(args) => args.run(),
         Command::Converge(args) => args.run(),
+        #[cfg(feature = "catalogue")]
         Command::Verify(args) => args.run(),
         Command::Curvature(args) => args.run(),
+        Command::Einstein(args) => args.run(),
+        Command::Action(args) => args.run(),
     }
 }
 
