@@ -1,9 +1,9 @@
 //! Regge's action, its gradient in the edge lengths, and Schläfli's identity. Degree 0: lengths are all there is.
 
+use super::Rules;
 use super::boundary::boundary_curvature;
 use super::curvature::distributional_curvature;
 use super::local::Wedges;
-use super::Rules;
 use crate::Error;
 use crate::field::{Combination, TensorField};
 use crate::lagrange::Lagrange;
@@ -13,7 +13,7 @@ use crate::quadrature::Rule;
 use crate::regge::{BasisFunction, ReggeFunction};
 use crate::scalar::{Field, Real};
 use crate::simplex::subsets;
-use num_dual::Dual64;
+use num_dual::{Dual64, HyperDual64};
 use std::f64::consts::{PI, TAU};
 
 /// (½⟨(Rω)_dist(g), 1⟩, ½ of the boundary terms): for degree 0 Σ̊_S Θ_S |S| and Σ_{S⊂∂Ω} (π − Σ_T θ_ST) |S|.
@@ -57,14 +57,8 @@ pub struct ActionGradient {
 pub fn action_gradient<const N: usize>(
     g: &ReggeFunction<'_, f64, N>,
 ) -> Result<ActionGradient, Error> {
-    let (space, mesh) = (g.space(), g.space().mesh());
-    if space.degree() != 0 {
-        let reason = format!(
-            "the action has edge lengths for variables in degree 0, not {}",
-            space.degree()
-        );
-        return Err(Error::Input(reason));
-    }
+    check_degree(g)?;
+    let mesh = g.space().mesh();
     let defects = signed_defects(g);
     let mut result = ActionGradient {
         gradient: vec![0.0; mesh.count(1)],
@@ -88,13 +82,56 @@ pub fn action_gradient<const N: usize>(
     Ok(result)
 }
 
+/// The Hessian of the action in the edge lengths: entries (i, j, value) to be added up, both triangles.
+///
+/// ∂²/∂ℓ_i∂ℓ_j = Σ_S ∂Θ_S/∂ℓ_j ∂|S|/∂ℓ_i + Θ_S ∂²|S|/∂ℓ_i∂ℓ_j, since Schläfli's identity may be differentiated.
+///
+/// # Errors
+/// If the degree of g is not 0.
+pub fn action_hessian<const N: usize>(
+    g: &ReggeFunction<'_, f64, N>,
+) -> Result<Vec<(usize, usize, f64)>, Error> {
+    check_degree(g)?;
+    let mesh = g.space().mesh();
+    let defects = signed_defects(g);
+    let moving = Moving::new(g);
+    let first = Wedges::<Dual64, N, _>::new(&moving.field, &moving.rule);
+    let twice = along_two(g, [0, 0], [0.0, 0.0]);
+    let second = Wedges::<HyperDual64, N, _>::new(&twice, &moving.rule);
+    let mut entries = Vec::new();
+    let on_cell = |cell: usize| {
+        let own = |hinge: &u32| mesh.first_side(N - 2, *hinge as usize).cell == cell;
+        let hinges = mesh.simplices_of(cell, N - 2);
+        let turned: Vec<f64> = (hinges.iter())
+            .map(|h| if own(h) { defects[*h as usize] } else { 0.0 })
+            .collect();
+        let derivatives = moving.derivatives(&first, cell);
+        moving.cell_hessian(&second, cell, &derivatives, &turned)
+    };
+    in_order(mesh.cells(), on_cell, |_, local| entries.extend(local));
+    Ok(entries)
+}
+
+fn check_degree<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Result<(), Error> {
+    match g.space().degree() {
+        0 => Ok(()),
+        r => Err(Error::Input(format!(
+            "the action has edge lengths for variables in degree 0, not {r}"
+        ))),
+    }
+}
+
 /// Θ_S, or π − Σ_T θ_ST on the boundary, of every hinge of a piecewise flat metric.
 fn signed_defects<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Vec<f64> {
     let mesh = g.space().mesh();
     let wedges = Wedges::<f64, N, _>::new(g, &Rule::new(N - 2, 0));
     let mut all = Vec::with_capacity(mesh.count(N - 2));
     let on_hinge = |hinge: usize| {
-        let full = if mesh.is_interior(N - 2, hinge) { TAU } else { PI };
+        let full = if mesh.is_interior(N - 2, hinge) {
+            TAU
+        } else {
+            PI
+        };
         full - wedges.around(mesh, hinge)[0].0
     };
     in_order(mesh.count(N - 2), on_hinge, |_, defect| all.push(defect));
@@ -105,6 +142,8 @@ fn signed_defects<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Vec<f64> {
 struct CellDerivatives {
     /// ∂|S|/∂ℓ_e, `[e][S]`.
     volumes: Vec<Vec<f64>>,
+    /// ∂θ_ST/∂ℓ_e, `[e][S]`.
+    angles: Vec<Vec<f64>>,
     /// Σ_S |S| ∂θ_S/∂ℓ_e, by e.
     schlaefli: Vec<f64>,
 }
@@ -137,9 +176,14 @@ impl<'a, 's, const N: usize> Moving<'a, 's, N> {
         }
     }
 
-    fn derivatives(&self, wedges: &Wedges<'_, Dual64, N, Along<'a, 's, N>>, cell: usize) -> CellDerivatives {
+    fn derivatives(
+        &self,
+        wedges: &Wedges<'_, Dual64, N, Along<'a, 's, N>>,
+        cell: usize,
+    ) -> CellDerivatives {
         let mut all = CellDerivatives {
             volumes: Vec::new(),
+            angles: Vec::new(),
             schlaefli: Vec::new(),
         };
         for &edge in self.g.space().mesh().simplices_of(cell, 1) {
@@ -154,9 +198,63 @@ impl<'a, 's, const N: usize> Moving<'a, 's, N> {
                 .collect();
             let turned = corners.iter().map(|(angle, size)| size.re * angle.eps);
             all.schlaefli.push(slope * turned.sum::<f64>());
+            let angles = corners.iter().map(|(angle, _)| slope * angle.eps);
+            all.angles.push(angles.collect());
             let grown = corners.iter().map(|(_, size)| slope * size.eps);
             all.volumes.push(grown.collect());
         }
         all
     }
+
+    /// The Hessian of a cell: −Σ_S ∂θ_ST/∂ℓ_j ∂|S|/∂ℓ_i, and Θ_S ∂²|S|/∂ℓ_i∂ℓ_j of the hinges that count here.
+    fn cell_hessian(
+        &self,
+        wedges: &Wedges<'_, HyperDual64, N, AlongTwo<'a, 's, N>>,
+        cell: usize,
+        derivatives: &CellDerivatives,
+        defects: &[f64],
+    ) -> Vec<(usize, usize, f64)> {
+        let edges = self.g.space().mesh().simplices_of(cell, 1);
+        let lengths: Vec<f64> = (edges.iter())
+            .map(|&e| self.g.coefficients()[e as usize].sqrt())
+            .collect();
+        let mut entries = Vec::with_capacity(edges.len() * edges.len());
+        for i in 0..edges.len() {
+            for j in 0..edges.len() {
+                let pair = [edges[i] as usize, edges[j] as usize];
+                let local = along_two(self.g, pair, [lengths[i], lengths[j]]).on_cell(cell);
+                let mut sum = 0.0;
+                for (place, defect) in defects.iter().enumerate() {
+                    sum -= derivatives.angles[j][place] * derivatives.volumes[i][place];
+                    if *defect != 0.0 {
+                        let (_, omega_s) = wedges.at(&local, place, 0);
+                        sum += defect * (omega_s * wedges.weights[0]).eps1eps2;
+                    }
+                }
+                entries.push((pair[0], pair[1], sum));
+            }
+        }
+        entries
+    }
+}
+
+/// A metric with two moving lengths.
+type AlongTwo<'a, 's, const N: usize> = Combination<
+    Combination<&'a ReggeFunction<'s, f64, N>, BasisFunction<'s, N>, HyperDual64>,
+    BasisFunction<'s, N>,
+    HyperDual64,
+>;
+
+/// (ℓ_i + ε₁)² and (ℓ_j + ε₂)², or (ℓ_i + ε₁ + ε₂)² where they are one.
+fn along_two<'a, 's, const N: usize>(
+    g: &'a ReggeFunction<'s, f64, N>,
+    [i, j]: [usize; 2],
+    [a, b]: [f64; 2],
+) -> AlongTwo<'a, 's, N> {
+    let (one, space) = (HyperDual64::from(1.0), g.space());
+    let mixed = if i == j { 2.0 } else { 0.0 };
+    let first = HyperDual64::new(0.0, 2.0 * a, 0.0, mixed);
+    let second = HyperDual64::new(0.0, 0.0, 2.0 * b, 0.0);
+    let inner = Combination::new(one, g, first, BasisFunction::new(space, i));
+    Combination::new(one, inner, second, BasisFunction::new(space, j))
 }

@@ -70,7 +70,10 @@ impl<T: Real, const N: usize> Traces<T, N> {
     }
 
     fn tables<G: TensorField<T, N>>(&self, g: &G) -> Vec<G::Table> {
-        self.points.iter().map(|points| g.tabulate(points)).collect()
+        self.points
+            .iter()
+            .map(|points| g.tabulate(points))
+            .collect()
     }
 
     /// acc[edge, α] += contract(unit tensor) · w · B_α at a block of points.

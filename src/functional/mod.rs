@@ -8,7 +8,7 @@
 //! | [`einstein`] | ⟨(Gω)_dist(g), σ⟩ | def:distein |
 //! | [`einstein_against`] | the same against every Regge basis function | def:distein |
 //! | [`boundary_curvature`] | the boundary terms of Gauss and Bonnet | |
-//! | [`regge_action`], [`action_gradient`] | Regge's action and equations | |
+//! | [`regge_action`], [`action_gradient`], [`action_hessian`] | Regge's action and equations | |
 //! | [`cell_curvatures`], [`face_jumps`], [`angle_defects`] | the sums simplex by simplex | |
 //! | [`integrate`] | any density on k-simplices, seen from the cells around | |
 //!
@@ -24,7 +24,7 @@ mod local;
 mod site;
 mod variation;
 
-pub use action::{ActionGradient, action_gradient, regge_action};
+pub use action::{ActionGradient, action_gradient, action_hessian, regge_action};
 pub use boundary::boundary_curvature;
 pub use curvature::{
     angle_defects, distributional_curvature, distributional_curvature_with, smooth_curvature,

@@ -56,8 +56,16 @@ pub fn svg(fields: &Fields, title: &str) -> Result<String, String> {
     );
     for (i, (name, shown)) in panels.iter().enumerate() {
         let left = MARGIN + i as f64 * (plane.width + BAR + MARGIN);
-        let _ = writeln!(text, "<g transform=\"translate({left:.1} {:.1})\">", MARGIN + TITLE);
-        let _ = writeln!(text, "<text x=\"0\" y=\"-12\" font-size=\"15\">{}</text>", escaped(name));
+        let _ = writeln!(
+            text,
+            "<g transform=\"translate({left:.1} {:.1})\">",
+            MARGIN + TITLE
+        );
+        let _ = writeln!(
+            text,
+            "<text x=\"0\" y=\"-12\" font-size=\"15\">{}</text>",
+            escaped(name)
+        );
         plane.panel(fields, shown, &mut text);
         text.push_str("</g>\n");
     }
@@ -151,8 +159,15 @@ impl Plane {
                 Shown::Cells(list) => range.color(list[cell]),
                 Shown::Vertices(_) => "#ffffff".into(),
             };
-            let _ = write!(text, "<polygon fill=\"{fill}\" stroke-width=\"{thin}\" stroke=\"");
-            text.push_str(if thin > 0.0 { "#888\" points=\"" } else { "none\" points=\"" });
+            let _ = write!(
+                text,
+                "<polygon fill=\"{fill}\" stroke-width=\"{thin}\" stroke=\""
+            );
+            text.push_str(if thin > 0.0 {
+                "#888\" points=\""
+            } else {
+                "none\" points=\""
+            });
             for &v in &fields.cells[3 * cell..3 * cell + 3] {
                 let [x, y] = self.place(fields, v as usize);
                 let _ = write!(text, "{x:.2},{y:.2} ");
@@ -201,7 +216,10 @@ impl Plane {
         );
         for i in 0..=4 {
             let part = f64::from(i) / 4.0;
-            let (value, y) = (range.low + part * (range.high - range.low), self.height * (1.0 - part));
+            let (value, y) = (
+                range.low + part * (range.high - range.low),
+                self.height * (1.0 - part),
+            );
             let _ = writeln!(
                 text,
                 "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"13\">{}</text>",
@@ -228,7 +246,10 @@ impl Range {
         });
         let size = low.abs().max(high.abs());
         if !size.is_finite() {
-            return Self { low: -1.0, high: 1.0 };
+            return Self {
+                low: -1.0,
+                high: 1.0,
+            };
         }
         // Differences in the last places are no picture.
         match high - low > 1e-9 * size {
@@ -254,10 +275,17 @@ impl Range {
     /// With as many digits as tell the ends apart.
     fn label(&self, value: f64) -> String {
         let (size, width) = (self.low.abs().max(self.high.abs()), self.high - self.low);
-        let value = if value.abs() < 1e-9 * size { 0.0 } else { value };
+        let value = if value.abs() < 1e-9 * size {
+            0.0
+        } else {
+            value
+        };
         let digits = ((size / width).log10().ceil().max(0.0) as usize + 2).min(9);
         let text = match (1e-3..1e4).contains(&size) {
-            true => format!("{value:.*}", (digits as i32 - size.log10().floor() as i32).max(0) as usize),
+            true => format!(
+                "{value:.*}",
+                (digits as i32 - size.log10().floor() as i32).max(0) as usize
+            ),
             false => format!("{value:.digits$e}"),
         };
         // A minus, not a hyphen.
@@ -266,5 +294,7 @@ impl Range {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
 }

@@ -39,9 +39,15 @@ impl Data<'_> {
 
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         match self {
-            Self::Doubles(list) => list.iter().try_for_each(|x| out.write_all(&x.to_le_bytes())),
-            Self::Ints(list) => list.iter().try_for_each(|x| out.write_all(&x.to_le_bytes())),
-            Self::Tags(list) => list.iter().try_for_each(|x| out.write_all(&x.to_le_bytes())),
+            Self::Doubles(list) => list
+                .iter()
+                .try_for_each(|x| out.write_all(&x.to_le_bytes())),
+            Self::Ints(list) => list
+                .iter()
+                .try_for_each(|x| out.write_all(&x.to_le_bytes())),
+            Self::Tags(list) => list
+                .iter()
+                .try_for_each(|x| out.write_all(&x.to_le_bytes())),
             Self::Ends(length, count) => (1..=*count as u64)
                 .try_for_each(|i| out.write_all(&(i * *length as u64).to_le_bytes())),
             Self::Bytes(byte, count) => (0..*count).try_for_each(|_| out.write_all(&[*byte])),
@@ -64,7 +70,11 @@ pub fn write(fields: &Fields, out: &mut dyn Write) -> io::Result<()> {
         data: Data::Doubles(list),
     };
     let on_points = fields.on_points.iter().map(|f| double(f.0, 1, &f.1));
-    let mut on_cells: Vec<Array<'_>> = fields.on_cells.iter().map(|f| double(f.0, 1, &f.1)).collect();
+    let mut on_cells: Vec<Array<'_>> = fields
+        .on_cells
+        .iter()
+        .map(|f| double(f.0, 1, &f.1))
+        .collect();
     on_cells.push(array("physical_group", "Int32", Data::Tags(&fields.groups)));
     let sections: [(&str, Vec<Array<'_>>); 4] = [
         ("PointData", on_points.collect()),

@@ -162,7 +162,11 @@ impl Args {
             Some(false) => ", the sums have NOT settled",
             _ => "",
         };
-        writeln!(out, "quadrature of order {}{state}", report.quadrature.order)?;
+        writeln!(
+            out,
+            "quadrature of order {}{state}",
+            report.quadrature.order
+        )?;
         writeln!(out, "boundary terms: {}", report.boundary)?;
         writeln!(out, "total curvature {:.12e}", report.total_curvature)?;
         if let Some(residual) = report.gauss_bonnet_residual {
@@ -186,7 +190,11 @@ fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
     let name = if more { ",boundary" } else { "" };
     writeln!(out, "vertex,element,face,hinge{name},total")?;
     for v in &report.vertices {
-        write!(out, "{},{:e},{:e},{:e}", v.vertex, v.element, v.face, v.hinge)?;
+        write!(
+            out,
+            "{},{:e},{:e},{:e}",
+            v.vertex, v.element, v.face, v.hinge
+        )?;
         if let Some(boundary) = v.boundary {
             write!(out, ",{boundary:e}")?;
         }

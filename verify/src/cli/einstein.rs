@@ -57,7 +57,11 @@ impl Args {
             Some(false) => ", the sums have NOT settled",
             _ => "",
         };
-        writeln!(out, "quadrature of order {}{state}", report.quadrature.order)?;
+        writeln!(
+            out,
+            "quadrature of order {}{state}",
+            report.quadrature.order
+        )?;
         writeln!(
             out,
             "{} Regge functions that vanish on the boundary",

@@ -56,10 +56,7 @@ pub fn write_by(
 
 type Content<'a> = &'a mut dyn Write;
 
-fn replace(
-    path: &Path,
-    content: impl FnOnce(Content<'_>) -> io::Result<()>,
-) -> io::Result<()> {
+fn replace(path: &Path, content: impl FnOnce(Content<'_>) -> io::Result<()>) -> io::Result<()> {
     let beside = beside(path);
     let written = File::create(&beside)
         .and_then(|file| fill(file, content)?.sync_all())
@@ -80,10 +77,7 @@ fn is_device(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|of| !of.is_file() && !of.is_dir())
 }
 
-fn fill(
-    file: File,
-    content: impl FnOnce(Content<'_>) -> io::Result<()>,
-) -> io::Result<File> {
+fn fill(file: File, content: impl FnOnce(Content<'_>) -> io::Result<()>) -> io::Result<File> {
     let mut out = BufWriter::new(file);
     content(&mut out)?;
     out.into_inner().map_err(io::IntoInnerError::into_error)

@@ -117,7 +117,8 @@ impl Einstein<'_> {
             }
         };
         let settled = settled.map_err(failed)?;
-        match entries(&settled.value).all(|x| x.is_finite()) {
+        let finite = entries(&settled.value).all(|x| x.is_finite());
+        match finite {
             true => Ok(settled),
             false => Err(CurvatureError::Failed(
                 "a sum is not finite: the metric may be all but degenerate".into(),

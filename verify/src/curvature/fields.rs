@@ -98,5 +98,8 @@ fn on_vertices(report: &CurvatureReport, vertices: usize) -> Vec<Field> {
 /// Three coordinates a vertex.
 fn points(file: &MeshFile) -> Vec<f64> {
     let of = |x: &[f64]| [0, 1, 2].map(|i| x.get(i).copied().unwrap_or(0.0));
-    file.coordinates.chunks_exact(file.width).flat_map(of).collect()
+    file.coordinates
+        .chunks_exact(file.width)
+        .flat_map(of)
+        .collect()
 }

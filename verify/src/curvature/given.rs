@@ -117,16 +117,28 @@ fn by_metric<const N: usize, K: Task>(
     let mesh = file.mesh::<N>()?;
     let g = Smooth::new(&mesh, metric.metric()).map_err(input)?;
     phase("interpolating the metric");
-    // Where the interpolant looks at g, to begin with.
-    smooth::check_values(&g, &Rule::new(N, 2 * degree + 2)).map_err(input)?;
-    smooth::check_edges(&g, degree).map_err(input)?;
     let space = ReggeSpace::new(&mesh, degree);
     let g_h = interpolation.apply(&space, &g, ProjectionKind::Exact);
-    let g_h = g_h.map_err(failed)?;
+    // The interpolant refuses what is not positive definite where it looks; the formula may be to blame for it.
+    let g_h = g_h.map_err(|error| match blame(&g, degree) {
+        Err(formula) => input(formula),
+        Ok(()) => failed(error),
+    })?;
     task.run(&Given {
         file,
         g_h: &g_h,
         interpolant: interpolation.name_of(),
         origin: Some((&g, metric.exact_scalar_curvature.as_ref())),
     })
+}
+
+/// Is the formula itself no metric somewhere that the interpolant looks at it?
+fn blame<const N: usize>(
+    g: &Smooth<'_, FormulaMetric<'_>, N>,
+    degree: usize,
+) -> Result<(), regge::Error> {
+    smooth::check_values(g, &Rule::new(N, 2 * degree + 2))?;
+    smooth::check_edges(g, degree)?;
+    // The rule of the local projections.
+    smooth::check_values(g, &Rule::new(N, 2 * degree + 12))
 }

@@ -17,7 +17,7 @@ pub use einstein::{EinsteinReport, EinsteinSums, einstein};
 pub use fields::Fields;
 pub use given::{Phase, Source};
 pub use report::{
-    CurvatureReport, FaceJump, HingeDefect, NormError, ProjectedCurvature, Projected,
+    CurvatureReport, FaceJump, HingeDefect, NormError, Projected, ProjectedCurvature,
     QuadratureUsed, TestSums, VertexSums,
 };
 
@@ -91,5 +91,11 @@ pub fn curvature(
     if request.fields {
         fields::check(mesh)?;
     }
-    given::on_metric(mesh, source, request.degree, phase, &Curvature { request, phase })
+    given::on_metric(
+        mesh,
+        source,
+        request.degree,
+        phase,
+        &Curvature { request, phase },
+    )
 }

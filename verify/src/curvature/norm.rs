@@ -31,9 +31,12 @@ pub fn norm_error<const N: usize>(
     };
     let settled = match request.quadrature {
         Some(order) => compute(order).map(|error| Settled::given(error, order)),
-        None => settle(Rules::default_order(request.degree), NORM_SETTLES, compute, |a, b| {
-            relative_change([*a].iter(), [*b].iter())
-        }),
+        None => settle(
+            Rules::default_order(request.degree),
+            NORM_SETTLES,
+            compute,
+            |a, b| relative_change([*a].iter(), [*b].iter()),
+        ),
     };
     let settled = settled.map_err(|error| match error {
         Error::Cell { .. } => input(error),

@@ -102,5 +102,8 @@ pub fn projected<const N: usize>(
         coefficients: list.collect(),
     };
     let asked = request.test_degree.is_some();
-    Ok((projected, asked.then(|| test_sums(&space, sums, request.boundary))))
+    Ok((
+        projected,
+        asked.then(|| test_sums(&space, sums, request.boundary)),
+    ))
 }

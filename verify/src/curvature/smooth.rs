@@ -81,7 +81,9 @@ pub fn check_values<M: SmoothTensor<N>, const N: usize>(
     g: &Smooth<'_, M, N>,
     rule: &Rule,
 ) -> Result<(), Error> {
-    check_at(g, rule.points(), |local, table, q| finite_value(g, local, table, q))
+    check_at(g, rule.points(), |local, table, q| {
+        finite_value(g, local, table, q)
+    })
 }
 
 fn finite_value<M: SmoothTensor<N>, const N: usize>(
@@ -105,7 +107,9 @@ pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
     let rule = Rule::new(1, 2 * degree + 12);
     subsets(N + 1, 2).iter().try_for_each(|edge| {
         let points = rule.points().embed(edge, N + 1);
-        check_at(g, &points, |local, table, q| finite_value(g, local, table, q))
+        check_at(g, &points, |local, table, q| {
+            finite_value(g, local, table, q)
+        })
     })
 }
 

@@ -20,7 +20,11 @@ pub struct AllSums {
 
 impl AllSums {
     fn entries(&self) -> impl Iterator<Item = &f64> {
-        let Sums { element, face, hinge } = &self.inner;
+        let Sums {
+            element,
+            face,
+            hinge,
+        } = &self.inner;
         let all = element.iter().chain(face).chain(hinge);
         all.chain(self.boundary.iter().flatten())
     }

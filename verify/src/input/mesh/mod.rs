@@ -69,10 +69,14 @@ impl MeshFile {
 /// # Errors
 /// Names the file, the line or byte, and what is wrong.
 pub fn read_mesh(file: &Path) -> Result<MeshFile, InputError> {
-    let bytes = bytes_of(file)?;
+    mesh_from(file, &bytes_of(file)?)
+}
+
+/// [`read_mesh`] of a file that is in memory.
+pub(super) fn mesh_from(file: &Path, bytes: &[u8]) -> Result<MeshFile, InputError> {
     let parsed = match bytes.iter().find(|b| !b.is_ascii_whitespace()) {
-        Some(b'{') => json::parse(&bytes),
-        Some(b'$') => gmsh::parse(&bytes),
+        Some(b'{') => json::parse(bytes),
+        Some(b'$') => gmsh::parse(bytes),
         _ => Err(Fault::new(
             Place::Whole,
             "is no mesh: neither Gmsh's ($MeshFormat) nor JSON ({)",

@@ -15,10 +15,18 @@ pub struct Groups {
     /// In version 4.1 the groups of an entity, by its dimension and tag.
     entities: HashMap<(usize, i32), Vec<i32>>,
     /// Version 2.2: elements name their group themselves.
-    pub direct: bool,
+    direct: bool,
 }
 
 impl Groups {
+    /// None yet; `direct` in version 2.2.
+    pub fn new(direct: bool) -> Self {
+        Self {
+            direct,
+            ..Self::default()
+        }
+    }
+
     /// $PhysicalNames, which are text in binary files too: dimension, tag, name in quotes.
     pub fn names(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         let count: u64 = cursor.spelled("the number of names")?;
@@ -65,7 +73,9 @@ impl Groups {
         for (k, list) in simplices.iter().enumerate().take(cells + 1) {
             for (i, &tag) in list.tags.iter().enumerate() {
                 for &group in self.of(k, &tag) {
-                    let group = all.entry((k, group)).or_insert_with(|| self.empty(k, group));
+                    let group = all
+                        .entry((k, group))
+                        .or_insert_with(|| self.empty(k, group));
                     if k == cells {
                         group.cells.push(i as u32);
                     } else {

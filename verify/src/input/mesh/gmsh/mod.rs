@@ -30,10 +30,7 @@ pub fn parse(bytes: &[u8]) -> Result<MeshFile, Fault> {
         old,
         nodes: Nodes::default(),
         simplices: [1, 2, 3, 4].map(Simplices::new),
-        groups: Groups {
-            direct: old,
-            ..Groups::default()
-        },
+        groups: Groups::new(old),
     };
     while !cursor.is_at_end() {
         let section = cursor.word()?;
@@ -122,7 +119,9 @@ impl Reader {
         let cells = (0..elements.len())
             .map(|i| elements.vertices(i, &self.nodes))
             .collect::<Result<_, _>>()?;
-        let groups = self.groups.collect(&self.simplices, &self.nodes, dimension)?;
+        let groups = self
+            .groups
+            .collect(&self.simplices, &self.nodes, dimension)?;
         let [_, _, mut triangles, mut tetrahedra] = self.simplices;
         let elements = if dimension == 2 {
             &mut triangles
