@@ -18,6 +18,15 @@ const NEGATIVE: [f64; 3] = [59.0, 76.0, 192.0];
 const POSITIVE: [f64; 3] = [180.0, 4.0, 38.0];
 const ZERO: [f64; 3] = [246.0, 246.0, 246.0];
 
+/// For values of one sign: viridis, which is even in lightness. Source: Smith and van der Walt (2015), five of its 256.
+const VIRIDIS: [[f64; 3]; 5] = [
+    [68.0, 1.0, 84.0],
+    [59.0, 82.0, 139.0],
+    [33.0, 145.0, 140.0],
+    [94.0, 201.0, 98.0],
+    [253.0, 231.0, 37.0],
+];
+
 /// What a panel shows.
 enum Shown<'a> {
     /// A number for each cell.
@@ -261,15 +270,24 @@ impl Range {
         }
     }
 
-    /// White at 0, full colour at the largest absolute value.
+    /// With both signs: white at 0, full colour at the largest absolute value. With one: from end to end.
     fn color(&self, value: f64) -> String {
         if !value.is_finite() {
             return "#bbbbbb".into();
         }
-        let part = (value / self.low.abs().max(self.high.abs())).clamp(-1.0, 1.0);
-        let end = if part < 0.0 { NEGATIVE } else { POSITIVE };
-        let mix = |i: usize| (ZERO[i] + part.abs() * (end[i] - ZERO[i])).round() as u8;
-        format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+        let [r, g, b] = match self.low < 0.0 && self.high > 0.0 {
+            true => {
+                let part = (value / self.low.abs().max(self.high.abs())).clamp(-1.0, 1.0);
+                let end = if part < 0.0 { NEGATIVE } else { POSITIVE };
+                mixed(ZERO, end, part.abs())
+            }
+            false => {
+                let part = ((value - self.low) / (self.high - self.low)).clamp(0.0, 1.0) * 4.0;
+                let first = (part as usize).min(3);
+                mixed(VIRIDIS[first], VIRIDIS[first + 1], part - first as f64)
+            }
+        };
+        format!("#{r:02x}{g:02x}{b:02x}")
     }
 
     /// With as many digits as tell the ends apart.
@@ -291,6 +309,11 @@ impl Range {
         // A minus, not a hyphen.
         text.replace('-', "−")
     }
+}
+
+/// (1−t) a + t b.
+fn mixed(a: [f64; 3], b: [f64; 3], t: f64) -> [u8; 3] {
+    std::array::from_fn(|i| (a[i] + t * (b[i] - a[i])).round() as u8)
 }
 
 fn escaped(text: &str) -> String {

@@ -66,11 +66,6 @@ impl Given {
         Ok(())
     }
 
-    /// Classical Regge calculus?
-    pub fn by_lengths(&self) -> bool {
-        self.lengths.is_some()
-    }
-
     /// The order of quadrature, if it is given.
     pub fn quadrature(&self) -> Option<usize> {
         self.quadrature.map(|order| order as usize)

@@ -108,11 +108,7 @@ fn both_versions_are_read_as_text_and_as_bytes_of_either_order() {
 
 /// Two tetrahedra with a volume in two groups and a surface in one, in version 4.1, as text or bytes.
 fn tetrahedra(binary: bool) -> Vec<u8> {
-    let mut out = format!(
-        "$MeshFormat\n4.1 {} 8\n",
-        if binary { "1" } else { "0" }
-    )
-    .into_bytes();
+    let mut out = format!("$MeshFormat\n4.1 {} 8\n", if binary { "1" } else { "0" }).into_bytes();
     let put = |int: &[i32], size: &[u64], double: &[f64]| {
         let mut part = Vec::new();
         if binary {
@@ -129,7 +125,9 @@ fn tetrahedra(binary: bool) -> Vec<u8> {
     if binary {
         out.extend(put(&[1], &[], &[]));
     }
-    out.extend(b"\n$EndMeshFormat\n$PhysicalNames\n1\n3 11 \"the body\"\n$EndPhysicalNames\n$Entities\n");
+    out.extend(
+        b"\n$EndMeshFormat\n$PhysicalNames\n1\n3 11 \"the body\"\n$EndPhysicalNames\n$Entities\n",
+    );
     // No point, no curve, one surface, one volume.
     out.extend(put(&[], &[0, 0, 1, 1], &[]));
     out.extend(put(&[4], &[], &[0.0; 6]));
@@ -162,7 +160,15 @@ fn tetrahedra_of_version_4_have_the_groups_of_their_entities() {
         assert_eq!(read.cells, [[0, 1, 2, 3], [1, 2, 3, 4]]);
         read.mesh::<3>().expect("a mesh");
         let groups: Vec<_> = (read.groups.iter())
-            .map(|g| (g.dimension, g.tag, g.name.as_deref(), g.cells.len(), g.simplices.len()))
+            .map(|g| {
+                (
+                    g.dimension,
+                    g.tag,
+                    g.name.as_deref(),
+                    g.cells.len(),
+                    g.simplices.len(),
+                )
+            })
             .collect();
         let body = (3, 11, Some("the body"), 2, 0);
         assert_eq!(groups, [(2, 21, None, 0, 1), body, (3, 12, None, 2, 0)]);
@@ -184,8 +190,15 @@ fn tags_may_be_any_numbers() {
 #[test]
 fn a_mesh_that_falls_apart_is_refused() {
     let apart = r#"{"dimension": 2, "cells": [[0,1,2],[1,2,3],[4,5,6]]}"#;
-    let error = json::parse(apart.as_bytes()).expect("JSON").abstract_mesh::<2>();
-    assert!(error.expect_err("apart").reason.contains("cell 2 is not connected"));
+    let error = json::parse(apart.as_bytes())
+        .expect("JSON")
+        .abstract_mesh::<2>();
+    assert!(
+        error
+            .expect_err("apart")
+            .reason
+            .contains("cell 2 is not connected")
+    );
 }
 
 #[test]
