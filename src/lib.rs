@@ -148,6 +148,9 @@
 //! Without default features the crate is scalars to functionals on nalgebra and num-dual alone. `norms` adds the H⁻²
 //! norm, the projection R_h and their sparse solver, `parallel` threads (results do not depend on their number), `lanes` SIMD lanes as a
 //! scalar, `tabulated` quadrature rules with fewer points.
+//!
+//! Lanes are as wide as the compiler's target allows, and the default for x86-64 is half of what nearly every machine has:
+//! build your program with `RUSTFLAGS="-C target-cpu=native"`. `scalar::Lanes::unused_width` tells whether that is missing.
 
 pub mod error;
 pub mod field;

@@ -16,7 +16,7 @@ use crate::mesh::Slot;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
 use crate::regge::ReggeSpace;
-use crate::riemann::{Connection, inner};
+use crate::riemann::{Connection, Curvature};
 use crate::scalar::{Field, Real};
 use crate::simplex::{Bernstein, Points, subsets};
 
@@ -137,10 +137,13 @@ fn element_sum<T: Real, const N: usize, G: TensorField<T, N>>(
     traces.sum(space, (0..space.mesh().cells()).collect(), |cell, acc| {
         let local = g.on_cell(cell);
         for block in 0..traces.weights.len() {
-            let connection = Connection::new(&g.jet2(&local, &table, block));
-            let (inverse, einstein) = (lower(&connection.inverse), connection.einstein());
-            let omega = connection.det.value.sqrt();
-            traces.accumulate(0, block, acc, |psi| inner(&inverse, &einstein, psi) * omega);
+            let g = g.jet2(&local, &table, block);
+            let connection = Connection::new(&lower(&g));
+            let einstein = Curvature::new(&g, &connection).einstein();
+            let omega = connection.det.sqrt();
+            traces.accumulate(0, block, acc, |psi| {
+                connection.inner(&einstein, psi) * omega
+            });
         }
     })
 }

@@ -4,12 +4,12 @@ use crate::field::TensorField;
 use crate::formulas::{Formulas, Paper};
 use crate::hinge::Hinge;
 use crate::hypersurface::{Normal, mean_curvature, outward};
-use crate::jet::{Jet1, Jet2};
+use crate::jet::{Jet1, Jet2, lower};
 use crate::linalg::{Mat, Vector, inverse_and_det};
 use crate::mesh::{Mesh, Side};
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
-use crate::riemann::Connection;
+use crate::riemann::{Connection, Curvature};
 use crate::scalar::{Field, Real};
 use crate::simplex::subsets;
 
@@ -41,8 +41,11 @@ pub fn cell_volumes<T: Real, const N: usize, G: TensorField<T, N>>(
 
 /// R and ω at a point.
 fn scalar_and_omega<T: Real, const N: usize>(g: &Mat<Jet2<T, N>, N>) -> (T, T) {
-    let connection = Connection::new(g);
-    (connection.scalar(), connection.det.value.sqrt())
+    let connection = Connection::new(&lower(g));
+    (
+        Curvature::new(g, &connection).scalar(),
+        connection.det.sqrt(),
+    )
 }
 
 /// The integral of a density over every cell.

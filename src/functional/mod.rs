@@ -17,6 +17,7 @@
 
 mod action;
 mod boundary;
+mod corner;
 mod curvature;
 mod einstein;
 mod integrate;

@@ -11,6 +11,8 @@ pub(super) struct Layer {
     pub vertices: Vec<u32>,
     /// The simplices of each cell, in the order of [`subsets`] of its vertices.
     pub of_cell: Vec<u32>,
+    /// How many a cell has.
+    pub per_cell: usize,
     /// Not contained in the boundary?
     pub interior: Vec<bool>,
     /// Compressed rows: the cells that contain each simplex, with the simplex' place in the cell.
@@ -62,6 +64,7 @@ fn layer<K: Key>(n: usize, k: usize, cells: &[u32], bits: usize) -> Layer {
     let mut layer = Layer {
         vertices: Vec::new(),
         of_cell: vec![0; count * local.len()],
+        per_cell: local.len(),
         interior: Vec::new(),
         stars: Stars {
             offsets: Vec::new(),

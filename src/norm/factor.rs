@@ -18,12 +18,12 @@ pub(crate) struct Factor {
 
 /// The solver's degree of parallelism: fixed, since the order of its sums depends on it.
 #[cfg(feature = "parallel")]
-fn parallelism() -> Par {
+pub(super) fn parallelism() -> Par {
     Par::rayon(2)
 }
 
 #[cfg(not(feature = "parallel"))]
-fn parallelism() -> Par {
+pub(super) fn parallelism() -> Par {
     Par::Seq
 }
 

@@ -1,11 +1,11 @@
 //! One function of the basis, as a field of its own.
 
-use super::{ReggeFunction, ReggeSpace, component_coefficients};
+use super::{ReggeFunction, ReggeSpace, components_from_edges};
 use crate::field::TensorField;
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::Mat;
 use crate::scalar::Real;
-use crate::simplex::Points;
+use crate::simplex::{JetTable, Points};
 
 /// ψ_i: the Regge function whose i-th coefficient is 1 and all others 0, without the vector of them.
 #[derive(Clone, Copy, Debug)]
@@ -30,30 +30,33 @@ impl<'s, const N: usize> BasisFunction<'s, N> {
 }
 
 impl<T: Real, const N: usize> TensorField<T, N> for BasisFunction<'_, N> {
-    type Table = Vec<Vec<Jet2<T, N>>>;
-    type Local = Vec<T>;
+    type Table = JetTable<T, N>;
+    type Local = Vec<f64>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
         TensorField::<T, N>::tabulate(&self.empty(), points)
     }
 
-    fn on_cell(&self, cell: usize) -> Vec<T> {
+    fn on_cell(&self, cell: usize) -> Vec<f64> {
         let space = self.space;
         let slots = space.slots.iter().flatten();
         let is_mine = |slot| space.numbering.of_cell(space.mesh, cell, slot) == self.index;
-        let one = |&slot| if is_mine(slot) { T::one() } else { T::zero() };
-        component_coefficients::<T, N>(&slots.map(one).collect::<Vec<T>>())
+        let mut local: Vec<f64> = slots
+            .map(|&slot| f64::from(u8::from(is_mine(slot))))
+            .collect();
+        components_from_edges::<f64, N>(&mut local);
+        local
     }
 
-    fn jet2(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+    fn jet2(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
         self.empty().jet2(local, table, block)
     }
 
-    fn jet1(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
+    fn jet1(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
         self.empty().jet1(local, table, block)
     }
 
-    fn value(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<T, N> {
+    fn value(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<T, N> {
         self.empty().value(local, table, block)
     }
 

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 use regge::linalg::{Mat, Vector};
 use regge::mesh::Mesh;
+use regge::metrics::Metric;
 use regge::regge::{ReggeFunction, ReggeSpace};
 use regge::simplex::{Bernstein, subsets};
 use serde::Deserialize;
@@ -14,6 +15,10 @@ pub struct Oracle {
     pub dimension: usize,
     /// r.
     pub degree: usize,
+    /// The name of the smooth metric.
+    pub metric: String,
+    /// How g_h was made of it.
+    pub interpolant: String,
     /// Points of ℝ^N.
     pub vertices: Vec<Vec<f64>>,
     /// Cells.
@@ -44,6 +49,21 @@ pub struct Curvature {
     pub face: Vec<f64>,
     /// Σ_S, factor 2 included.
     pub angle: Vec<f64>,
+    /// ∫Rωφ_i of the smooth metric, where there was a closed form.
+    pub smooth: Option<Vec<f64>>,
+}
+
+impl Curvature {
+    /// The largest of its numbers.
+    pub fn largest(&self) -> f64 {
+        let all = self.element.iter().chain(&self.face).chain(&self.angle);
+        all.fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+
+    /// Of a vector over all vertices the entries of the tested ones.
+    pub fn tested(&self, all: &[f64]) -> Vec<f64> {
+        self.vertex.iter().map(|&v| all[v]).collect()
+    }
 }
 
 /// One case's text.
@@ -88,6 +108,17 @@ pub fn case(number: usize) -> Oracle {
 }
 
 impl Oracle {
+    /// The smooth metric.
+    ///
+    /// # Panics
+    /// If nobody knows it.
+    pub fn formula(&self) -> Metric {
+        let named = Metric::ALL.iter().find(|m| m.0 == self.metric);
+        named
+            .unwrap_or_else(|| panic!("no metric {}", self.metric))
+            .1
+    }
+
     /// Its mesh.
     pub fn mesh<const N: usize>(&self) -> Mesh<N> {
         let points = self

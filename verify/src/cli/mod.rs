@@ -6,6 +6,8 @@ mod curvature;
 mod einstein;
 mod given;
 mod job;
+mod journal;
+mod memory;
 mod notes;
 mod output;
 mod phases;
@@ -28,6 +30,7 @@ Examples:
   regge reproduce table1                  the paper's Table 1, N = 2, beside the printed numbers
   regge reproduce table1 --as-printed     the same by the low-order quadrature of the paper
   regge reproduce table2 --levels 0..=2   Table 2, N = 3, on three meshes
+  regge reproduce table2 --rows t2.jsonl  all of it, to 1.5 million cells; --resume goes on after a kill
   regge reproduce figure2                 the critical term, averaged and canonical interpolant
   regge converge --metric trig --dimension 3 --degree 1 --levels 0..=3 --plot trig.svg
   regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json --vtu c.vtu --plot c.svg
@@ -83,6 +86,9 @@ fn no_command() -> Stop {
 }
 
 fn run(command: Command) -> Result<(), Stop> {
+    if let Some(line) = regge::scalar::Lanes::unused_width() {
+        eprintln!("note: {line}");
+    }
     match command {
         Command::Reproduce(args) => args.run(),
         Command::Converge(args) => args.run(),

@@ -5,13 +5,14 @@ use super::stop::{Out, Stop};
 use indicatif::{ProgressBar, ProgressStyle};
 use regge_catalogue::claims::records;
 use regge_catalogue::report::{Report, document, pages};
-use regge_catalogue::{Options, run};
+use regge_catalogue::{Options, errata, run};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 const DETAILS: &str = "\
 Labels are rows of the catalogue (P13) or labels of the paper's source (thm:distcurvdot).
 A claim passes if it holds at every random instance and every forgery of it is caught.
+A run of everything also writes the errata: over an errata.md beside the folder of pages, as in docs, or else into it.
 
 Examples:
   regge verify                              everything; pages in target/verification
@@ -50,6 +51,7 @@ impl Args {
         if let Some(path) = &self.json {
             output::check(path)?;
         }
+        let everything = self.only.is_empty() && self.dimension.is_none() && !self.quick;
         let options = Options {
             only: self.only,
             dimension: self.dimension.map(usize::from),
@@ -63,6 +65,9 @@ impl Args {
             ));
         }
         write_pages(&report, &self.report)?;
+        if everything {
+            write_errata(&self.report)?;
+        }
         if let Some(path) = &self.json {
             output::write(path, &json(&report)?)?;
         }
@@ -122,6 +127,19 @@ fn write_pages(report: &Report, folder: &Path) -> Result<(), Stop> {
     }
     output::write(&folder.join("index.html"), &document(report, &records))?;
     output::write(&folder.join("report.json"), &json(report)?)
+}
+
+/// The errata, with the numbers that show them.
+fn write_errata(folder: &Path) -> Result<(), Stop> {
+    const NAME: &str = "errata.md";
+    let page = errata::page().map_err(|error| Stop::Failed(format!("the errata: {error}")))?;
+    let beside = folder.join("..").join(NAME);
+    let path = if beside.is_file() {
+        beside
+    } else {
+        folder.join(NAME)
+    };
+    output::write(&path, &page)
 }
 
 /// A failed claim ends the program with the instance that shows it.

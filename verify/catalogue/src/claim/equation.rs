@@ -200,6 +200,18 @@ impl<B: Ground> Equation<B> {
 }
 
 impl<B: Ground> Equation<B> {
+    /// A forgery with the right side of another equation of the same form, caught if it is wrong somewhere. None if
+    /// there is nothing on the right that does not vanish.
+    pub fn forge_right(self, name: &'static str, other: Self) -> Self {
+        if self.right.iter().all(|t| t.vanishes.is_some()) {
+            return self;
+        }
+        let terms = other.right.into_iter().map(|t| (t.name, t.value));
+        self.forge_terms(name, terms.collect()).somewhere()
+    }
+}
+
+impl<B: Ground> Equation<B> {
     /// The terms of both sides.
     pub(super) fn terms(&self) -> impl Iterator<Item = &Term<B>> {
         self.left.iter().chain(&self.right)

@@ -11,8 +11,9 @@ mod pointwise;
 mod scalar;
 pub mod seed;
 mod tally;
+mod weighted;
 
-pub use check::{Budget, Check};
+pub use check::{Budget, Check, ENOUGH, Excuses};
 pub use equation::{Components, Equation, Forged, Relation, Term};
 pub use pointwise::{Over, Pointwise, PointwiseCheck};
 pub use scalar::{Ground, Timed};

@@ -1,6 +1,6 @@
 //! Claims that hold at a point: one body for floating point numbers and for the prime field.
 
-use super::check::{Budget, Check};
+use super::check::{Budget, Check, Excuses};
 use super::seed::Key;
 use super::{Case, Equation, Ground, Judgement, Method, Record, Tally, Timed};
 use crate::instance::{self, Instance};
@@ -40,6 +40,8 @@ pub trait Pointwise: Send + Sync + 'static {
     const ROOTS: u32 = 3;
     /// By which scalars.
     const OVER: Over = Over::Both;
+    /// Why there is one method only.
+    const EXCUSES: Excuses = Excuses::NONE;
 
     /// The equations at one instance.
     fn equations<K: Formulas, S: Timed, const N: usize>(
@@ -137,15 +139,23 @@ impl<C: Pointwise, K: Formulas, S: Timed, const N: usize> Check for PointwiseChe
         }
     }
 
-    fn run(&self, budget: &Budget) -> Entry {
-        let mut tally = Tally::new(C::judgement::<S::Base>(N));
-        let exact = S::Base::METHOD == Method::Exact;
-        let cases = if exact {
+    fn cases(&self, budget: &Budget) -> usize {
+        let cases = if S::Base::METHOD == Method::Exact {
             budget.exact_cases
         } else {
             budget.cases
         };
-        for number in 0..cases {
+        // A claim in one or two dimensions has as many instances as one in four.
+        cases * (4 / C::DIMENSIONS.len().min(4))
+    }
+
+    fn excuses(&self) -> Excuses {
+        C::EXCUSES
+    }
+
+    fn run(&self, budget: &Budget) -> Entry {
+        let mut tally = Tally::new(C::judgement::<S::Base>(N));
+        for number in 0..self.cases(budget) {
             let case = Case {
                 number,
                 ..Case::default()

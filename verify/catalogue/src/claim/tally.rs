@@ -242,6 +242,8 @@ impl Tally {
             vacuous,
             false_accept_log2: self.judgement.false_accept_log2(self.cases),
             redraws: self.redraws,
+            one_method: None,
+            few_cases: None,
             failure: self.failure,
         }
     }

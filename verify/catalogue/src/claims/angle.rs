@@ -64,7 +64,7 @@ impl Pointwise for P22 {
         title: "The rate of change of an angle",
         statement: r"\dot\theta = \tfrac12\sigma(n,\tau) - \tfrac12\sigma(\bar n,\bar\tau)",
         sides: "Left: the library's dihedral angle in g + tσ, differentiated in t. Right: σ on the two pairs, made of \
-            the normals at t = 0.",
+            the normals at t = 0. There is no angle on the right.",
     };
     const ROOTS: u32 = 5;
 

@@ -138,7 +138,7 @@ impl Pointwise for O01 {
         paper: &[],
         title: "Products of metrics",
         statement: r"R(g_1\oplus g_2) = R(g_1) + R(g_2)",
-        sides: "Left: the product. Right: each factor times a flat space. A textbook identity (O'Neill, \
+        sides: "Left: the product. Right: each factor times a flat space, by the same R, which O03 pins down. A textbook identity (O'Neill, \
             Semi-Riemannian Geometry, corollary 3.58).",
     };
     const OVER: Over = Over::Oracle;

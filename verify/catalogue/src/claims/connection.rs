@@ -38,7 +38,7 @@ impl Pointwise for P05 {
         title: "The rate of change of the Christoffel symbols",
         statement: r"\dot\Gamma^\ell_{ij} = \tfrac12 g^{\ell m}\left((\nabla_i\sigma)_{jm}
             + (\nabla_j\sigma)_{im} - (\nabla_m\sigma)_{ij}\right)",
-        sides: "Left: Γ of g + tσ, differentiated in t. Right: covariant derivatives of σ.",
+        sides: "Left: Γ of g + tσ, differentiated in t. Right: covariant derivatives of σ. Both use Γ, the left its change and the right its value, which D03 and O03 pin down.",
     };
     const ROOTS: u32 = 0;
 
@@ -89,7 +89,7 @@ impl Pointwise for P06 {
         statement: r"\frac{\partial}{\partial t}\nabla_Y X = \nabla_{\dot Y}X + \nabla_Y\dot X
             + \tfrac12\left((\nabla_X\sigma)Y + (\nabla_Y\sigma)X - (\nabla\sigma)(X,Y)\right)^\sharp",
         sides: "Left: ∇_Y X with the connection of g + tσ and moving X, Y, differentiated in t. Right: covariant \
-            derivatives at t = 0. (The last lines of the printed proof omit the ♯.)",
+            derivatives at t = 0. (The last lines of the printed proof omit the ♯.) Both use Γ, the left its change and the right its value, which D03 and O03 pin down.",
     };
     const ROOTS: u32 = 0;
 
@@ -144,7 +144,7 @@ impl Pointwise for I12 {
         title: "The Hessians of two metrics",
         statement: r"\nabla_{\tilde g}\nabla_{\tilde g}v = \nabla_g\nabla_g v
             + (\Gamma^k_{ij} - \tilde\Gamma^k_{ij})\,\partial_k v",
-        sides: "Both Hessians by the library; the difference of the connections from their Christoffel symbols.",
+        sides: "Left: the difference of the library's two Hessians. Right: Christoffel symbols and dv, no second derivatives of v.",
     };
     const ROOTS: u32 = 0;
 

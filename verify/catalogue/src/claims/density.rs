@@ -18,7 +18,7 @@ impl Pointwise for P20 {
         statement: r"\frac{\partial}{\partial t}(H\omega_F) = -\tfrac12\left(\langle\overline{\mathrm{II}},\sigma|_F\rangle
             + (\operatorname{div}\mathbb{S}\sigma)(n) + \operatorname{div}_F(\sigma(n,\cdot)) - H\sigma(n,n)\right)\omega_F",
         sides: "Left: Hω_F in g + tσ, differentiated in t. Right: II‾, div 𝕊 and div_F at t = 0. On a level set of a \
-            random function and on a plane, for both orientations.",
+            random function and on a plane, for both orientations. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
 
     fn equations<K: Formulas, S: Timed, const N: usize>(

@@ -102,7 +102,7 @@ impl Pointwise for I20 {
         title: "The difference of the cosines of a dihedral angle in two metrics",
         statement: r"\cos\theta_{ST}(g) - \cos\theta_{ST}(\tilde g) = \tilde g(\tilde n^1 - n^1,\tilde n^2 - n^2)
             + \tilde g(\tilde n^1 - n^1,n^2) + \tilde g(n^1,\tilde n^2 - n^2) + \tilde g(n^1,n^2) - g(n^1,n^2)",
-        sides: "Left: the library's dihedral angles. Right: products of normals.",
+        sides: "Left: the library's dihedral angles, from products of covectors. Right: products of unit normals.",
     };
     const ROOTS: u32 = 8;
 

@@ -1,6 +1,6 @@
 //! I01–I03: the unit normals of two metrics.
 
-use crate::claim::{Equation, Ground, Over, Pointwise, Record, Timed};
+use crate::claim::{Equation, Excuses, Ground, Over, Pointwise, Record, Timed};
 use crate::instance::Instance;
 use nalgebra::DMatrix;
 use regge::formulas::Formulas;
@@ -144,6 +144,7 @@ impl Pointwise for I03 {
             decomposition, term by term; a hundredth of it is refuted.",
     };
     const OVER: Over = Over::Ordered;
+    const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
     fn equations<K: Formulas, S: Timed, const N: usize>(
         i: &Instance<S, N>,

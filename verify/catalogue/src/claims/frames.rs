@@ -70,7 +70,7 @@ impl Pointwise for P11 {
         statement: r"\dot H = \tfrac12 H\sigma(n,n)
             - \sum_i g\!\left(n,\frac{\partial}{\partial t}\nabla_{\tau_i}\tau_i\right)",
         sides: "Left: the trace of the library's II in g + tσ, differentiated in t. Right: a frame that turns and \
-            stretches, differentiated in t.",
+            stretches, differentiated in t. Both use H, the left its change and the right its value, which D04 pins down.",
     };
     const ROOTS: u32 = 6;
 
@@ -135,7 +135,7 @@ impl Pointwise for P13 {
         statement: r"\dot H = \tfrac12 H\sigma(n,n) - \langle\mathrm{II},\sigma|_F\rangle
             + \sum_i\left[\tfrac12(\nabla_n\sigma)(\tau_i,\tau_i) - (\nabla_{\tau_i}\sigma)(n,\tau_i)\right]",
         sides: "Left: the trace of the library's II in g + tσ, differentiated in t. Right: covariant derivatives of \
-            σ on a frame at t = 0.",
+            σ on a frame at t = 0. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
     const ROOTS: u32 = 6;
 

@@ -45,7 +45,7 @@ impl Pointwise for P15 {
         title: "The normal component of div 𝕊σ",
         statement: r"(\operatorname{div}\mathbb{S}\sigma)(n) = \sum_i\left[(\nabla_{\tau_i}\sigma)(n,\tau_i)
             - (\nabla_n\sigma)(\tau_i,\tau_i)\right]",
-        sides: "Left: the divergence of the jets of 𝕊σ with g⁻¹. Right: covariant derivatives of σ on a frame.",
+        sides: "Left: the divergence of the jets of 𝕊σ with g⁻¹. Right: covariant derivatives of σ on a frame. Both use ∇σ, which P05 and O02 pin down: contracted with g⁻¹ on the left, in a frame on the right.",
     };
     const ROOTS: u32 = 6;
 
@@ -111,7 +111,7 @@ impl Pointwise for P17 {
         statement: r"\sum_i\left[\tfrac12(\nabla_n\sigma)(\tau_i,\tau_i) - (\nabla_{\tau_i}\sigma)(n,\tau_i)\right]
             = \tfrac12\left(\langle\mathrm{II},\sigma|_F\rangle - (\operatorname{div}\mathbb{S}\sigma)(n)
             - \operatorname{div}_F(\sigma(n,\cdot))\right)",
-        sides: "Left: covariant derivatives of σ on a frame. Right: the library's II, div 𝕊 and div_F.",
+        sides: "Left: covariant derivatives of σ on a frame. Right: the library's II, div 𝕊 and div_F. The library's ∇σ is in both: in a frame on the left, contracted with g⁻¹ on the right.",
     };
     const ROOTS: u32 = 6;
 
@@ -147,7 +147,7 @@ impl Pointwise for P18 {
         statement: r"\dot H = \tfrac12\left(-\langle\mathrm{II},\sigma|_F\rangle - (\operatorname{div}\mathbb{S}\sigma)(n)
             - \operatorname{div}_F(\sigma(n,\cdot)) + H\sigma(n,n)\right)",
         sides: "Left: the trace of the library's II in g + tσ, differentiated in t. Right: II, div 𝕊 and div_F at \
-            t = 0.",
+            t = 0. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
 
     fn equations<K: Formulas, S: Timed, const N: usize>(
@@ -178,7 +178,7 @@ impl Pointwise for P19 {
         title: "The trace-reversed second fundamental form against σ",
         statement: r"\langle\mathrm{II},\sigma|_F\rangle - H\operatorname{Tr}(\sigma|_F)
             = \langle\overline{\mathrm{II}},\sigma|_F\rangle",
-        sides: "Left: II on a frame. Right: the library's II‾ with the tangential part of g⁻¹.",
+        sides: "Left: II on a frame. Right: the library's II‾ with the tangential part of g⁻¹. II itself is pinned down by D03 and D04.",
     };
     const ROOTS: u32 = 6;
 

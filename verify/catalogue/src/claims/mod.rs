@@ -7,10 +7,13 @@
 //! [`Instance`](crate::instance::Instance). Name it in [`pointwise`]. Dropped, flipped and doubled terms are forged
 //! by the harness; add what can go wrong otherwise with `.forge(…)`.
 //!
-//! *On a mesh, or any other kind.* Implement [`Check`] for a type that knows its dimension and method: `run` makes
-//! a [`Tally`](crate::claim::Tally), adds the equations of every case to it, and finishes it to an
+//! *On a mesh.* Implement [`OnMesh`](mesh::setting::OnMesh), or `Evolution` for a statement on d/dt, which then is
+//! checked by AD and along finite paths; name it in [`mesh::checks_in`].
+//!
+//! *Any other kind.* Implement [`Check`] for a type that knows its dimension and method: `run` makes a
+//! [`Tally`](crate::claim::Tally), adds the equations of every case to it, and finishes it to an
 //! [`Entry`](crate::report::Entry). Use [`Key::runner`](crate::claim::seed::Key::runner) for randomness, so that
-//! the seed replays it, and put r and the mesh into the [`Case`](crate::claim::Case). Name it in [`mesh::checks`].
+//! the seed replays it, and put r and the mesh into the [`Case`](crate::claim::Case).
 
 pub mod mesh;
 
@@ -18,6 +21,7 @@ mod angle;
 mod by_parts;
 mod closed_forms;
 mod connection;
+mod densities;
 mod density;
 mod dihedral;
 mod estimates;
@@ -34,6 +38,7 @@ mod volume;
 
 use crate::claim::{Check, Over, Pointwise, PointwiseCheck, Record};
 use crate::exact::Fp;
+use by_parts::{ByParts, ByPartsCheck};
 use num_dual::Dual64;
 use regge::formulas::{Formulas, Paper};
 use regge::jet::Jet1;
@@ -51,7 +56,7 @@ pub fn catalogue() -> Catalogue {
         pointwise::<Paper, 3>(&mut all);
         pointwise::<Paper, 4>(&mut all);
         pointwise::<Paper, 5>(&mut all);
-        on_simplex::<Paper>(&mut all);
+        by_parts::<Paper>(&mut all);
         mesh::checks::<Paper>(&mut all);
     }
     // Row by row; the dimensions and methods of one claim stay together.
@@ -130,10 +135,22 @@ pub fn pointwise<K: Formulas, const N: usize>(all: &mut Catalogue) {
     both::<closed_forms::O01, K, N>(all);
     both::<closed_forms::O02, K, N>(all);
     both::<closed_forms::O03, K, N>(all);
+    both::<densities::M07, K, N>(all);
+    both::<densities::M12, K, N>(all);
+    both::<densities::M19, K, N>(all);
+    both::<densities::M20, K, N>(all);
 }
 
-/// The claims on one simplex that are integrated exactly, by the formulas K.
-pub fn on_simplex<K: Formulas>(all: &mut Catalogue) {
-    all.push(Box::new(by_parts::ByParts::<K, 2>::default()));
-    all.push(Box::new(by_parts::ByParts::<K, 3>::default()));
+/// The claims that are integrated exactly, by the formulas K.
+pub fn by_parts<K: Formulas>(all: &mut Catalogue) {
+    exactly::<by_parts::T01, K>(all);
+    exactly::<by_parts::T03, K>(all);
+    exactly::<by_parts::T04, K>(all);
+    // The denominators of more cells than three would need polynomials of very high degree.
+    all.push(Box::new(ByPartsCheck::<by_parts::M04, K, 2>::default()));
+}
+
+fn exactly<C: ByParts, K: Formulas>(all: &mut Catalogue) {
+    all.push(Box::new(ByPartsCheck::<C, K, 2>::default()));
+    all.push(Box::new(ByPartsCheck::<C, K, 3>::default()));
 }

@@ -19,7 +19,7 @@ impl Pointwise for P01 {
         statement: r"\dot R = \operatorname{div}\operatorname{div}\sigma - \Delta\operatorname{Tr}\sigma
             - \langle\operatorname{Ric},\sigma\rangle",
         sides: "Left: R(g + tσ) by Ricci's formula in Christoffel symbols, differentiated in t. Right: covariant \
-            derivatives of σ, and Ric at t = 0.",
+            derivatives of σ, and Ric at t = 0. Both use Ric, the left its change and the right its value, which O03 pins down.",
     };
 
     fn equations<K: Formulas, S: Timed, const N: usize>(
@@ -49,7 +49,7 @@ impl Pointwise for P03 {
         statement: r"\frac{\partial}{\partial t}(R\omega) = (\operatorname{div}\operatorname{div}\mathbb{S}\sigma)\,\omega
             - \langle G,\sigma\rangle\,\omega, \qquad \mathbb{S}\sigma = \sigma - g\operatorname{Tr}\sigma",
         sides: "Left: R(g + tσ) ω(g + tσ), differentiated in t. Right: covariant derivatives of 𝕊σ, and the \
-            Einstein tensor at t = 0.",
+            Einstein tensor at t = 0. Both use R, the left its change and the right its value, which O03 pins down.",
     };
 
     fn equations<K: Formulas, S: Timed, const N: usize>(

@@ -1,6 +1,6 @@
 //! I18, I28: simplices.
 
-use crate::claim::{Equation, Ground, Over, Pointwise, Record, Timed};
+use crate::claim::{Equation, Excuses, Ground, Over, Pointwise, Record, Timed};
 use crate::instance::Instance;
 use regge::formulas::Formulas;
 use regge::hinge::Hinge;
@@ -79,6 +79,7 @@ impl Pointwise for I18 {
             angles. The constant 2 is sharp: 2.01 is refuted by slender simplices.",
     };
     const OVER: Over = Over::Ordered;
+    const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
     fn equations<K: Formulas, S: Timed, const N: usize>(
         i: &Instance<S, N>,
@@ -130,6 +131,9 @@ impl Pointwise for I28 {
             the polynomials of degree r times that of symmetric matrices.",
     };
     const OVER: Over = Over::Integers;
+    const EXCUSES: Excuses =
+        Excuses::one_method("an identity of whole numbers: it is exact already")
+            .few_cases("nothing is random: r = 0, …, 5 for every N");
     const ROOTS: u32 = 0;
 
     fn equations<K: Formulas, S: Timed, const N: usize>(

@@ -20,7 +20,7 @@ impl Pointwise for D01 {
         statement: r"\nabla\operatorname{Tr}\sigma = \operatorname{Tr}\nabla\sigma,\quad
             \Delta\operatorname{Tr}\sigma = \operatorname{div}\operatorname{div}(g\operatorname{Tr}\sigma),\quad
             \langle g,\sigma\rangle = \operatorname{Tr}\sigma,\quad \Delta v = \operatorname{Tr}\nabla\nabla v",
-        sides: "Left: derivatives of the jet of a function. Right: covariant derivatives of tensors.",
+        sides: "Left: derivatives of the jet of a function. Right: covariant derivatives of tensors. Both use Γ, the left only in div.",
     };
     const ROOTS: u32 = 0;
 

@@ -18,7 +18,7 @@ impl Pointwise for P02 {
         statement: r"\dot\omega = \tfrac12(\operatorname{Tr}\sigma)\,\omega, \quad
             \dot\omega_F = \tfrac12\operatorname{Tr}(\sigma|_F)\,\omega_F, \quad
             \dot\omega_S = \tfrac12\operatorname{Tr}(\sigma|_S)\,\omega_S",
-        sides: "Left: square roots of determinants, differentiated in t. Right: traces with g⁻¹ and normals.",
+        sides: "Left: square roots of determinants, differentiated in t. Right: traces with g⁻¹ and normals. Both use the volume forms, the left their change and the right their values.",
     };
 
     fn equations<K: Formulas, S: Timed, const N: usize>(

@@ -2,7 +2,8 @@
 
 use super::chart::strips;
 use super::formula::{escape, mathml};
-use super::page::{allowed, names, residual};
+use super::page::{SHARED, allowed, names, residual};
+use super::summary::margin;
 use super::{Entry, Report, Row, Verdict};
 use crate::claim::Record;
 use std::fmt::Write;
@@ -12,7 +13,7 @@ body{font:16px/1.5 Georgia,serif;max-width:60rem;margin:2rem auto;padding:0 1rem
 h1,h2{font-weight:normal}h2{border-top:1px solid #ccc;padding-top:1.5rem;margin-top:2.5rem}\
 table{border-collapse:collapse;font:13px/1.4 system-ui,sans-serif;margin:1rem 0}\
 td,th{padding:.15rem .7rem .15rem 0;text-align:left;vertical-align:top}th{border-bottom:1px solid #999}\
-math{font-size:1.15em;margin:1rem 0;overflow-x:auto}code{font-size:.9em}.fail{color:#b00;font-weight:bold}\
+math{font-size:1.15em;margin:1rem 0;padding:.3rem 0;overflow-x:auto;overflow-y:hidden}code{font-size:.9em}.fail{color:#b00;font-weight:bold}\
 svg text{font:11px system-ui,sans-serif;fill:#555}svg .tolerance{stroke:#888;stroke-dasharray:3 2}\
 svg .forgery{stroke:#b55;stroke-width:1.5;opacity:.6}svg circle{fill:#26a}details{margin:.5rem 0}";
 
@@ -22,11 +23,11 @@ pub fn document(report: &Report, records: &[&Record]) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
          <meta name=\"viewport\" content=\"width=device-width\">\
          <title>regge: verification report</title><style>{STYLE}</style></head><body>\n\
-         <h1>Verification report</h1>\n<p>regge {}, revision {}. {}</p>\n\
+         <h1>Verification report</h1>\n<p>regge {}. {}</p>\n<p>{SHARED}</p>\n\
          <p>In the pictures a dot is the worst residual of a claim and a stroke is a forgery, both over the \
-         tolerance, which is the dashed line at 1.</p>\n",
+         tolerance, which is the dashed line at 1. In the lists of forgeries ×m is the weakest residual over the \
+         tolerance; those with few Gauss points in t show how fast the integral along a path converges.</p>\n",
         escape(&report.version),
-        escape(&report.revision),
         escape(&report.conclusion()),
     );
     let rows = report.rows();
@@ -40,7 +41,7 @@ pub fn document(report: &Report, records: &[&Record]) -> String {
 }
 
 fn contents(html: &mut String, rows: &[Row<'_>], records: &[&Record]) {
-    html.push_str("<table><tr><th>claim<th><th>cases<th>verdict</tr>\n");
+    html.push_str("<table><tr><th>claim<th><th>N<th>by<th>cases<th>verdict</tr>\n");
     for row in rows {
         let title = records
             .iter()
@@ -48,9 +49,11 @@ fn contents(html: &mut String, rows: &[Row<'_>], records: &[&Record]) {
             .map_or("", |r| r.title);
         let _ = writeln!(
             html,
-            "<tr><td><a href=\"#{0}\">{0}</a><td>{1}<td>{2}<td>{3}</tr>",
+            "<tr><td><a href=\"#{0}\">{0}</a><td>{1}<td>{2}<td>{3}<td>{4}<td>{5}</tr>",
             row.label,
             escape(title),
+            row.dimensions_listed(),
+            row.methods().join(", "),
             row.cases(),
             verdict(row.verdict())
         );
@@ -74,6 +77,9 @@ fn section(html: &mut String, row: &Row<'_>, record: &Record) {
         mathml(record.statement),
         escape(record.sides),
     );
+    for excuse in row.excuses() {
+        let _ = writeln!(html, "<p>{}</p>", escape(&excuse));
+    }
     if !record.paper.is_empty() {
         let _ = writeln!(
             html,
@@ -123,9 +129,11 @@ fn forgeries(html: &mut String, row: &Row<'_>) {
         } else {
             ""
         };
+        let seen = row.weakest_of(&name);
+        let seen = seen.map_or(String::new(), |m| format!(", {}", margin(Some(m))));
         let _ = writeln!(
             html,
-            "<li>{}{mark}{}</li>",
+            "<li>{}{seen}{mark}{}</li>",
             escape(&name),
             reason.unwrap_or_default()
         );

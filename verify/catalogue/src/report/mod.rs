@@ -55,6 +55,12 @@ pub struct Entry {
     pub false_accept_log2: Option<f64>,
     /// Draws thrown away because a root did not exist.
     pub redraws: usize,
+    /// Why no second method checks the claim, if none does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub one_method: Option<String>,
+    /// Why it has few instances, if it has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub few_cases: Option<String>,
     /// What went wrong, if something did.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<Failure>,

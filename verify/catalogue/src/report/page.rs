@@ -52,11 +52,17 @@ pub(super) fn allowed(entry: &Entry) -> String {
     }
 }
 
+/// What the reader of a claim should know of all of them.
+pub(super) const SHARED: &str = "\
+Each page says what keeps the two sides of a claim apart. Points, meshes, quadrature, jets and polynomials (floors 0 to 2 \
+of the library) serve both sides. Of what lies above, both sides may use the connection, normals and volume forms of a \
+metric; where one formula of the paper is on both sides, the page says so, and which claim pins it down against a value \
+from elsewhere.";
+
 fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
     let mut text = format!(
-        "# Verification report\n\nregge {}, revision {}. {}\n| claim | | N | by | cases | worst residual | weakest forgery | verdict |\n|---|---|---|---|---|---|---|---|\n",
+        "# Verification report\n\nregge {}. {}\n{SHARED}\n\n| claim | | N | by | cases | worst residual | weakest forgery | verdict |\n|---|---|---|---|---|---|---|---|\n",
         report.version,
-        report.revision,
         report.conclusion(),
     );
     for row in rows {
@@ -64,12 +70,11 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
             .iter()
             .find(|r| r.label == row.label)
             .map_or("", |r| r.title);
-        let dimensions: Vec<String> = row.dimensions().iter().map(usize::to_string).collect();
         let _ = writeln!(
             text,
             "| [{0}]({0}.md) | {title} | {1} | {2} | {3} | {4} | {5} | {6} |",
             row.label,
-            dimensions.join(", "),
+            row.dimensions_listed(),
             row.methods().join(", "),
             row.cases(),
             row.worst_residual()
@@ -84,7 +89,7 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
         let _ = writeln!(text, "| {} | {} |", cell(name), labels.join(", "));
     }
     Page {
-        name: "README.md".to_owned(),
+        name: "index.md".to_owned(),
         content: text,
     }
 }
@@ -111,6 +116,9 @@ fn page(row: &Row<'_>, record: &Record) -> String {
         let _ = write!(text, "In the paper: {}.\n\n", labels.join(", "));
     }
     let _ = write!(text, "{}\n\n", record.sides);
+    for excuse in row.excuses() {
+        let _ = write!(text, "{excuse}\n\n");
+    }
     text += "| N | by | scalar | cases | worst residual | allowed | verdict |\n|---|---|---|---|---|---|---|\n";
     for e in &row.entries {
         let _ = writeln!(
@@ -149,7 +157,7 @@ fn forgeries(text: &mut String, row: &Row<'_>) {
             .filter(|(_, f)| !f.caught)
             .map(|(e, _)| at(e))
             .collect();
-        let weakest = found.iter().filter_map(|(_, f)| f.margin).reduce(f64::min);
+        let weakest = row.weakest_of(&name);
         let reason = row.entries.iter().find_map(|e| {
             let v = e.vacuous.iter().find(|v| v.name == name)?;
             Some(format!("N = {}: {}", e.dimension, v.reason))

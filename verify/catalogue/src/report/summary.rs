@@ -22,6 +22,21 @@ impl<'a> Row<'a> {
         all
     }
 
+    /// The same as text.
+    pub fn dimensions_listed(&self) -> String {
+        let all: Vec<String> = self.dimensions().iter().map(usize::to_string).collect();
+        all.join(", ")
+    }
+
+    /// The weakest margin of the forgery with this name.
+    pub fn weakest_of(&self, name: &str) -> Option<f64> {
+        let forgeries = self.entries.iter().flat_map(|e| &e.forgeries);
+        let margins = forgeries
+            .filter(|f| f.name == name)
+            .filter_map(|f| f.margin);
+        margins.reduce(f64::min)
+    }
+
     /// AD, exact, …, each once.
     pub fn methods(&self) -> Vec<&'a str> {
         let mut all: Vec<&str> = self.entries.iter().map(|e| e.method.as_str()).collect();
@@ -50,6 +65,15 @@ impl<'a> Row<'a> {
             .flat_map(|e| &e.forgeries)
             .filter(|f| f.margin.is_some());
         all.min_by(|a, b| a.margin.unwrap_or(0.0).total_cmp(&b.margin.unwrap_or(0.0)))
+    }
+
+    /// What the claim need not do, in whole sentences.
+    pub fn excuses(&self) -> Vec<String> {
+        let one = self.entries.iter().find_map(|e| e.one_method.as_ref());
+        let few = self.entries.iter().find_map(|e| e.few_cases.as_ref());
+        let one = one.map(|why| format!("One method only: {why}."));
+        let few = few.map(|why| format!("Few instances: {why}."));
+        one.into_iter().chain(few).collect()
     }
 
     /// Pass if all entries do.
@@ -175,16 +199,15 @@ impl Report {
     /// The table that ends a run.
     pub fn table(&self) -> String {
         let mut text = format!(
-            "{:<7}{:<11}{:<14}{:>6}{:>11}{:>11}  {}\n",
+            "{:<7}{:<13}{:<22}{:>6}{:>11}{:>11}  {}\n",
             "claim", "N", "by", "cases", "residual", "weakest", "verdict"
         );
         for row in self.rows() {
-            let dimensions: Vec<String> = row.dimensions().iter().map(usize::to_string).collect();
             let _ = writeln!(
                 text,
-                "{:<7}{:<11}{:<14}{:>6}{:>11}{:>11}  {}",
+                "{:<7}{:<13}{:<22}{:>6}{:>11}{:>11}  {}",
                 row.label,
-                dimensions.join(" "),
+                row.dimensions_listed(),
                 row.methods().join(" "),
                 row.cases(),
                 row.worst_residual()

@@ -12,23 +12,25 @@ use regge::jet::{Jet1, Jet2};
 use regge::lagrange::Lagrange;
 use regge::linalg::{Mat, Vector, symmetric};
 use regge::regge::ReggeSpace;
-use regge::simplex::{Points, barycentric_jets, multi_indices, subsets};
+use regge::simplex::{JetTable, Points, barycentric_jets, multi_indices, subsets};
 
 /// X = Σ c_ij λ_iλ_j (x_j − x_i) over the edges i < j: continuous, and tangent to every subsimplex.
-struct Tangent<'a, 's, const N: usize> {
-    g: &'a Regge<'s, f64, N>,
+pub(super) struct Tangent<'a, 's, const N: usize> {
+    /// The metric that it moves.
+    pub g: &'a Regge<'s, f64, N>,
     /// By edge of the mesh.
-    c: Vec<f64>,
+    pub c: Vec<f64>,
 }
 
 impl<const N: usize> Tangent<'_, '_, N> {
-    fn on_edges(&self, cell: usize) -> Vec<f64> {
+    /// c on the edges of a cell.
+    pub fn on_edges(&self, cell: usize) -> Vec<f64> {
         let edges = self.g.space().mesh().simplices_of(cell, 1);
         edges.iter().map(|&e| self.c[e as usize]).collect()
     }
 
     /// Xᵏ in reference coordinates, with derivatives.
-    fn jets(c: &[f64], lambda: &[Jet2<f64, N>]) -> Vector<Jet1<f64, N>, N> {
+    pub fn jets(c: &[f64], lambda: &[Jet2<f64, N>]) -> Vector<Jet1<f64, N>, N> {
         let mut x = Vector::from_element(Jet1::constant(0.0));
         for (edge, c) in subsets(N + 1, 2).iter().zip(c) {
             let (i, j) = (edge[0], edge[1]);
@@ -75,7 +77,7 @@ impl<const N: usize> Tangent<'_, '_, N> {
 }
 
 impl<const N: usize> TensorField<f64, N> for Tangent<'_, '_, N> {
-    type Table = (Vec<Vec<Jet2<f64, N>>>, Vec<Vec<Jet2<f64, N>>>);
+    type Table = (Vec<Vec<Jet2<f64, N>>>, JetTable<f64, N>);
     type Local = (Vec<f64>, Vec<f64>);
 
     fn tabulate(&self, points: &Points) -> Self::Table {
@@ -116,7 +118,8 @@ impl OnMesh for M18 {
         statement: r"X=\sum c_{ij}\lambda_i\lambda_j(x_j-x_i):\qquad b_h(g;L_Xg,v)-a_h(g;L_Xg,v) =
             -\langle (R\omega)_{\rm dist}(g),Xv\rangle\qquad\forall v\in V",
         sides: "Left: b_h and a_h with a Lie derivative. Right: the functional of g alone. X is tangent to every simplex, so \
-            that its flow maps Regge metrics to Regge metrics on the same mesh, and the functional is invariant.",
+            that its flow maps Regge metrics to Regge metrics on the same mesh, and the functional is invariant. Finite: the three \
+            sums of φ*g against v∘φ and of g against v, φ = id + X, without any derivative of the functional.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 

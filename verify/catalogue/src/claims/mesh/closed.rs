@@ -1,14 +1,16 @@
 //! M08, M09, M15: meshes without boundary, tested against v = 1.
 
-use super::fields::{Tested, Three, metric, minus, moving, rates, values, variation};
+use super::euclid::{FlatHinge, hinges};
+use super::evolution::{Clock, Evolution, Moving};
+use super::fields::{Regge, Tested, Three, metric, minus, moving, values};
+use super::pair::{with_pair, with_spaces};
 use super::setting::{Draw, OnMesh, QUADRATURE, ROUNDING, Setting, Shape, grid};
-use super::variation::{FLAT, POINTS, orders};
-use crate::claim::{Equation, Judgement, Record};
+use super::variation::{FLAT, NO_G, NO_II, POINTS, orders};
+use crate::claim::{Equation, Judgement, Method, Record};
 use num_dual::Dual64;
 use regge::formulas::Formulas;
-use regge::functional::{Rules, a_h_with, b_h_with, distributional_curvature_with};
+use regge::functional::{Rules, Sums, distributional_curvature_with};
 use regge::lagrange::Lagrange;
-use regge::regge::ReggeSpace;
 
 /// Tori of degree 0 and spheres of all degrees.
 fn closed(dimension: usize, quick: bool) -> Vec<Setting> {
@@ -30,47 +32,24 @@ fn closed(dimension: usize, quick: bool) -> Vec<Setting> {
     }
 }
 
-/// Rates of ⟨(Rω)_dist, 1⟩, b_h(·, 1), a_h(·, 1), and b_h's terms cell by cell for the size of what cancels.
-struct AgainstOne {
-    rate: Three,
-    b: Three,
-    a: Three,
-    size: f64,
-}
-
-impl AgainstOne {
-    fn new<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Self {
-        let mesh = at.shape.mesh::<N>();
-        let regge = ReggeSpace::new(&mesh, at.degree);
-        let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
-        let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
-        let moved = moving(&g, &sigma);
-        let rate = distributional_curvature_with::<K, Dual64, N, _>(&moved, &space, &rules);
-        let b = values(b_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules));
-        let a = values(a_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules));
-        let size = b.t.iter().chain(&b.f).fold(0.0, |m: f64, x| m.max(x.abs()));
-        let one = |s: &Three| Tested::One.of_sums(&space, s);
-        Self {
-            rate: one(&rates(&rate)),
-            b: one(&b),
-            a: one(&a),
-            size,
-        }
-    }
-}
-
 /// b_h(·, 1) = 0, and the variation of ⟨(Rω)_dist, 1⟩.
 pub struct M08;
 
-impl OnMesh for M08 {
+/// What cancels in b_h(·, 1): its terms, test function by test function.
+fn size(sums: &Three) -> f64 {
+    let all = sums.t.iter().chain(&sums.f).chain(&sums.s);
+    all.fold(0.0, |m: f64, x| m.max(x.abs()))
+}
+
+impl Evolution for M08 {
     const RECORD: Record = Record {
         label: "M08",
         paper: &["def:distein", "sec:einstein"],
         title: "The Einstein–Hilbert functional of a Regge metric and its gradient",
         statement: r"\partial\Omega=\emptyset:\quad b_h(g;\sigma,1)=0,\qquad \frac{d}{dt}\langle (R\omega)_{\rm dist}(g+t\sigma),
             1\rangle = -\langle (G\omega)_{\rm dist}(g),\sigma\rangle",
-        sides: "Left: the functional over dual numbers. Right: the distributional Einstein tensor at t = 0.",
+        sides: "Left: the functional of g + tσ. Right: the distributional Einstein tensor, with G, II‾ and Θ without a \
+            derivative in t. No integral of one side is one of the other. Both use R, H and Θ, the left their change and the right their values, which D11 pins down.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -78,40 +57,42 @@ impl OnMesh for M08 {
         closed(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let x = AgainstOne::new::<K, N>(at, draw);
-        let (flat, surface) = (at.degree == 0, N == 2);
-        let gradient = Equation::new("gradient")
-            .left("d/dt Σ_T ∫Rω", x.rate.t)
-            .vanishes(flat, FLAT)
-            .left("d/dt 2Σ_F ∫⟦H⟧ω_F", x.rate.f)
-            .vanishes(flat, FLAT)
-            .left("d/dt 2Σ_S ∫Θω_S", x.rate.s)
-            .vanishes(
-                surface && flat,
-                "Σ Θ is 2πχ when N = 2 and g is constant on cells",
-            )
-            .right("−Σ_T ∫⟨G,σ⟩ω", minus(&x.a.t))
-            .vanishes(
-                flat || surface,
-                "G = 0 when N = 2, or g is constant on cells",
-            )
-            .right("−Σ_F ∫⟨⟦II‾⟧,σ⟩ω_F", minus(&x.a.f))
-            .vanishes(
-                flat || surface,
-                "II‾ = 0 when N = 2, or g is constant on cells",
-            )
-            .right("Σ_S ∫Θ Tr(σ|_S)ω_S", minus(&x.a.s))
-            .vanishes(surface, POINTS)
-            .magnitude(x.size);
-        let b = Equation::new("b_h(·,1)")
-            .left("Σ_T ∫⟨𝕊σ,∇∇1⟩ω", x.b.t)
+    fn equations<K: Formulas, const N: usize>(
+        at: &Setting,
+        m: &Moving<'_, N>,
+    ) -> Vec<Equation<f64>> {
+        let one = |s: &Three| Tested::One.of_sums(m.at.space, s);
+        let b = m.at.b::<K>();
+        let sizes = size(&b);
+        let gradient = gradient(one(&m.rate), &one(&m.at.a::<K>()), (at.degree == 0, N == 2));
+        let b = one(&b);
+        let against_one = Equation::new("b_h(·,1)")
+            .left("Σ_T ∫⟨𝕊σ,∇∇1⟩ω", b.t)
             .vanishes(true, "∇∇1 = 0")
-            .left("−Σ_F ∫𝕊σ(n,n)⟦∇_n 1⟧ω_F", x.b.f)
+            .left("−Σ_F ∫𝕊σ(n,n)⟦∇_n 1⟧ω_F", b.f)
             .vanishes(true, "∇_n 1 = 0")
-            .magnitude(x.size);
-        vec![b, gradient]
+            .magnitude(sizes);
+        vec![against_one, gradient.magnitude(sizes)]
     }
+}
+
+fn gradient(rate: Three, a: &Three, (flat, surface): (bool, bool)) -> Equation<f64> {
+    Equation::new("gradient")
+        .left("d/dt Σ_T ∫Rω", rate.t)
+        .vanishes(flat, FLAT)
+        .left("d/dt 2Σ_F ∫⟦H⟧ω_F", rate.f)
+        .vanishes(flat, FLAT)
+        .left("d/dt 2Σ_S ∫Θω_S", rate.s)
+        .vanishes(
+            surface && flat,
+            "Σ Θ is 2πχ when N = 2 and g is constant on cells",
+        )
+        .right("−Σ_T ∫⟨G,σ⟩ω", minus(&a.t))
+        .vanishes(flat || surface, NO_G)
+        .right("−Σ_F ∫⟨⟦II‾⟧,σ⟩ω_F", minus(&a.f))
+        .vanishes(flat || surface, NO_II)
+        .right("Σ_S ∫Θ Tr(σ|_S)ω_S", minus(&a.s))
+        .vanishes(surface, POINTS)
 }
 
 /// Regge's identity.
@@ -139,37 +120,21 @@ impl OnMesh for M09 {
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let regge = ReggeSpace::new(&mesh, 0);
-        let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
-        let hats = Lagrange::new(&mesh, 1);
-        let rules = Rules::new::<N>(2);
-        let a = Tested::One.of_sums(
-            &hats,
-            &values(a_h_with::<K, f64, N, _, _>(&g, &sigma, &hats, &rules)),
-        );
-        let hinges = super::euclid::hinges::<Dual64, N>(&moving(&g, &sigma));
-        let angles: f64 = hinges
-            .iter()
-            .map(|h| 2.0 * h.defect.eps * h.volume.re)
-            .sum();
-        let size: f64 = hinges
-            .iter()
-            .map(|h| (h.defect.eps * h.volume.re).abs())
-            .sum();
-        let volumes: f64 = hinges
-            .iter()
-            .map(|h| 2.0 * h.defect.re * h.volume.eps)
-            .sum();
+        let (moved, a) = with_pair::<_, N>(at, draw, |pair| {
+            let a = Tested::One.of_sums(pair.space, &pair.a::<K>());
+            (hinges::<Dual64, N>(&moving(&pair.g, &pair.sigma)), a)
+        });
+        let sum = |f: fn(&FlatHinge<Dual64>) -> f64| moved.iter().map(f).sum::<f64>();
+        let size = sum(|h| (h.defect.eps * h.volume.re).abs());
+        let angles = sum(|h| 2.0 * h.defect.eps * h.volume.re);
+        let volumes = sum(|h| 2.0 * h.defect.re * h.volume.eps);
         // What the same sum is on an open mesh.
-        let open = Shape::Alfeld.mesh::<N>();
-        let space = ReggeSpace::new(&open, 0);
-        let moved = moving(&metric(&space, draw), &variation(&space, draw));
-        let of_open = super::euclid::hinges::<Dual64, N>(&moved);
-        let with_boundary: f64 = of_open
-            .iter()
-            .map(|h| 2.0 * h.defect.eps * h.volume.re)
-            .sum();
+        let open = Setting::new(Shape::Alfeld, 0, 2);
+        let with_boundary: f64 = with_pair::<_, N>(&open, draw, |pair| {
+            let of_open = hinges::<Dual64, N>(&moving(&pair.g, &pair.sigma));
+            let turning = of_open.iter().map(|h| 2.0 * h.defect.eps * h.volume.re);
+            turning.sum()
+        });
         vec![
             Equation::new("angles")
                 .left("2Σ Θ̇_S V_S", angles)
@@ -186,64 +151,135 @@ impl OnMesh for M09 {
     }
 }
 
-/// Gauss and Bonnet.
-pub struct M15;
+/// Regge's identity along a path: the increase of his action is the integral of 2Σ Θ dV alone.
+pub struct Action;
 
-impl OnMesh for M15 {
-    const RECORD: Record = Record {
-        label: "M15",
-        paper: &[],
-        title: "Gauss–Bonnet for Regge metrics on closed surfaces",
-        statement: r"N=2,\ \partial\Omega=\emptyset:\qquad \langle (R\omega)_{\rm dist}(g),1\rangle = 4\pi\chi(\Omega)",
-        sides: "Left: the functional. Right: vertices − edges + triangles.",
-    };
-    const JUDGEMENT: Judgement = QUADRATURE;
+impl Evolution for Action {
+    const RECORD: Record = M09::RECORD;
+    const JUDGEMENT: Judgement = ROUNDING;
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        if dimension == 2 {
-            grid(
-                &[Shape::Torus(3), Shape::Sphere],
-                &orders(2),
-                if quick { 2 } else { 12 },
-            )
-        } else {
-            Vec::new()
+        let all = M09::settings(dimension, quick).into_iter();
+        all.filter(|_| dimension > 2).collect()
+    }
+
+    fn paths(dimension: usize, quick: bool) -> Vec<Setting> {
+        Self::settings(dimension, quick)
+    }
+
+    /// 2ΣΘ_S V_S by Cholesky's factors, in the place of one test function.
+    fn functional<K: Formulas, T: Clock, const N: usize>(
+        g: &Regge<'_, T, N>,
+        space: &Lagrange<'_, N>,
+        _: &Rules,
+    ) -> Sums<T> {
+        let none = vec![T::zero(); space.len()];
+        let mut hinge = none.clone();
+        for h in hinges::<T, N>(g) {
+            hinge[0] += h.defect * h.volume * T::from_f64(2.0);
+        }
+        Sums {
+            element: none.clone(),
+            face: none,
+            hinge,
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let regge = ReggeSpace::new(&mesh, at.degree);
-        let hats = Lagrange::new(&mesh, 1);
-        let rules = Rules::new::<N>(at.order);
-        let sums = values(distributional_curvature_with::<K, f64, N, _>(
-            &metric(&regge, draw),
-            &hats,
-            &rules,
-        ));
-        let one = Tested::One.of_sums(&hats, &sums);
-        let (flat, torus) = (at.degree == 0, at.shape != Shape::Sphere);
-        let size = sums
-            .t
-            .iter()
-            .chain(&sums.f)
-            .chain(&sums.s)
-            .fold(0.0, |m: f64, x| m.max(x.abs()));
-        let total = 4.0 * std::f64::consts::PI * mesh.euler_characteristic() as f64;
+    fn equations<K: Formulas, const N: usize>(
+        _: &Setting,
+        m: &Moving<'_, N>,
+    ) -> Vec<Equation<f64>> {
+        let one = |s: &Three| Tested::One.of_sums(m.at.space, s).s;
+        let all = hinges::<f64, N>(&m.at.g);
+        let size: f64 = all.iter().map(|h| (h.defect * h.volume).abs()).sum();
         vec![
-            Equation::new("4πχ")
-                .left("Σ_T ∫Rω", one.t)
-                .vanishes(flat, FLAT)
-                .left("2Σ_F ∫⟦H⟧ω_F", one.f)
-                .vanishes(flat, FLAT)
-                .left("2Σ_S Θ_S", one.s)
-                .vanishes(
-                    flat && torus,
-                    "it is 4πχ = 0 on a torus with constant g on cells",
-                )
-                .right("4πχ", total)
-                .vanishes(torus, "χ = 0 on a torus")
+            Equation::new("action")
+                .left("d/dt 2ΣΘ_SV_S", one(&m.rate))
+                .right("−a_h(σ,1)", minus(&one(&m.at.a::<K>())))
                 .magnitude(size),
         ]
+    }
+}
+
+/// Gauss and Bonnet.
+pub struct M15;
+
+const GAUSS_BONNET: Record = Record {
+    label: "M15",
+    paper: &[],
+    title: "Gauss–Bonnet for Regge metrics on closed surfaces",
+    statement: r"N=2,\ \partial\Omega=\emptyset:\qquad \langle (R\omega)_{\rm dist}(g),1\rangle = 4\pi\chi(\Omega)",
+    sides: "Left: the functional. Right: vertices − edges + triangles, by the theorem of Gauss and Bonnet. By AD and along \
+        paths: the sum does not change, although each of its parts does.",
+};
+
+fn surfaces(dimension: usize, times: usize) -> Vec<Setting> {
+    if dimension == 2 {
+        grid(&[Shape::Torus(3), Shape::Sphere], &orders(2), times)
+    } else {
+        Vec::new()
+    }
+}
+
+/// The three sums against v = 1; is that over hinges alone zero?
+fn three(sums: Three, size: f64, flat: bool, no_hinges: bool) -> Equation<f64> {
+    Equation::new("4πχ")
+        .left("Σ_T ∫Rω", sums.t)
+        .vanishes(flat, FLAT)
+        .left("2Σ_F ∫⟦H⟧ω_F", sums.f)
+        .vanishes(flat, FLAT)
+        .left("2Σ_S Θ_S", sums.s)
+        .vanishes(
+            no_hinges,
+            "it alone is 4πχ when g is constant on cells: 0 on a torus, and unchanging",
+        )
+        .magnitude(size)
+}
+
+impl OnMesh for M15 {
+    const RECORD: Record = GAUSS_BONNET;
+    const METHOD: Method = Method::Oracle;
+    const JUDGEMENT: Judgement = QUADRATURE;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        surfaces(dimension, if quick { 2 } else { 12 })
+    }
+
+    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        let torus = at.shape != Shape::Sphere;
+        with_spaces::<_, N>(at, |regge, space| {
+            let rules = Rules::new::<N>(at.order);
+            let g = metric(regge, draw);
+            let sums = values(distributional_curvature_with::<K, f64, N, _>(
+                &g, space, &rules,
+            ));
+            let chi = space.mesh().euler_characteristic() as f64;
+            let one = Tested::One.of_sums(space, &sums);
+            vec![
+                three(one, size(&sums), at.degree == 0, at.degree == 0 && torus)
+                    .right("4πχ", 4.0 * std::f64::consts::PI * chi)
+                    .vanishes(torus, "χ = 0 on a torus"),
+            ]
+        })
+    }
+}
+
+/// Its rate of change.
+pub struct Unchanged;
+
+impl Evolution for Unchanged {
+    const RECORD: Record = GAUSS_BONNET;
+    const JUDGEMENT: Judgement = QUADRATURE;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        surfaces(dimension, if quick { 1 } else { 4 })
+    }
+
+    fn equations<K: Formulas, const N: usize>(
+        at: &Setting,
+        m: &Moving<'_, N>,
+    ) -> Vec<Equation<f64>> {
+        let one = Tested::One.of_sums(m.at.space, &m.rate);
+        vec![three(one, size(&m.rate), at.degree == 0, at.degree == 0)]
     }
 }

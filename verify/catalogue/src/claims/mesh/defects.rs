@@ -1,18 +1,16 @@
-//! M01, M02: the rates of the sums over faces and hinges, before any integration by parts.
+//! M01, M02, M03: the rates of the sums over faces and hinges, and of all three, before any integration by parts.
 
-use super::density::{FaceTerms, HingeTerms, Seen, div_div};
-use super::fields::{Regge, Three, metric, minus, moving, rates, times, values, variation};
-use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape, grid};
-use super::variation::{FLAT, POINTS};
+use super::density::FaceTerms;
+use super::evolution::{Evolution, Moving};
+use super::fields::{Three, minus, times};
+use super::pair::Where::Interior;
+use super::setting::{ROUNDING, Setting, Shape, grid};
+use super::variation::{FLAT, NO_G, NO_II, POINTS};
 use crate::claim::{Equation, Judgement, Record};
-use num_dual::Dual64;
 use regge::formulas::Formulas;
-use regge::functional::{Rules, a_h_with, distributional_curvature_with, integrate};
-use regge::lagrange::Lagrange;
-use regge::regge::ReggeSpace;
 
 /// The identities hold at every point: any rule will do.
-pub fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
+fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
     use Shape::{Alfeld, Cube, Sphere, Torus};
     let times = if quick { 1 } else { 4 };
     match dimension {
@@ -23,119 +21,19 @@ pub fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
     }
 }
 
-/// g, σ, and the rates of the three sums.
-pub struct Moving<'s, const N: usize> {
-    space: &'s Lagrange<'s, N>,
-    rules: Rules,
-    g: Regge<'s, f64, N>,
-    sigma: Regge<'s, f64, N>,
-    /// d/dt of the three sums of ⟨(Rω)_dist(g + tσ), v⟩.
-    pub rate: Three,
-}
-
-impl<'s, const N: usize> Moving<'s, N> {
-    /// A random pair.
-    pub fn new<K: Formulas>(
-        at: &Setting,
-        draw: &mut Draw,
-        regge: &'s ReggeSpace<'s, N>,
-        space: &'s Lagrange<'s, N>,
-    ) -> Self {
-        let (g, sigma) = (metric(regge, draw), variation(regge, draw));
-        let rules = Rules::new::<N>(at.order);
-        let moved = moving(&g, &sigma);
-        let rate = rates(&distributional_curvature_with::<K, Dual64, N, _>(
-            &moved, space, &rules,
-        ));
-        Self {
-            space,
-            rules,
-            g,
-            sigma,
-            rate,
-        }
-    }
-
-    /// Σ̊_F ∫ ⟦q⟧ v ω_F; with the sign of the second side flipped if it is to be a difference.
-    pub fn faces<K: Formulas>(
-        &self,
-        second: f64,
-        q: impl Fn(&FaceTerms) -> f64 + Sync,
-    ) -> Vec<f64> {
-        let rule = &self.rules.face;
-        let (g, sigma) = (
-            Seen::<f64, N, _>::new(&self.g, N - 1, rule),
-            Seen::<f64, N, _>::new(&self.sigma, N - 1, rule),
-        );
-        let mesh = self.space.mesh();
-        integrate(
-            self.space,
-            N - 1,
-            rule,
-            mesh.interior_faces(),
-            |face, side, p| {
-                let terms =
-                    FaceTerms::new::<K, N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
-                let sign = if mesh.first_side(N - 1, face) == side {
-                    1.0
-                } else {
-                    second
-                };
-                sign * q(&terms)
-            },
-        )
-    }
-
-    /// Σ̊_S ∫ Σ_F ⟦σ(n,τ)⟧ v ω_S.
-    pub fn hinges<K: Formulas>(&self) -> Vec<f64> {
-        let rule = &self.rules.hinge;
-        let (g, sigma) = (
-            Seen::<f64, N, _>::new(&self.g, N - 2, rule),
-            Seen::<f64, N, _>::new(&self.sigma, N - 2, rule),
-        );
-        let hinges = self.space.mesh().interior_hinges();
-        integrate(self.space, N - 2, rule, hinges, |_, side, p| {
-            HingeTerms::new::<K, N>(&g.value(side, p), &sigma.value(side, p), side.place)
-                .normal_conormal
-        })
-    }
-
-    /// Σ_T ∫ (div div 𝕊σ) v ω.
-    pub fn cells<K: Formulas>(&self) -> Vec<f64> {
-        let rule = &self.rules.element;
-        let (g, sigma) = (
-            Seen::<f64, N, _>::new(&self.g, N, rule),
-            Seen::<f64, N, _>::new(&self.sigma, N, rule),
-        );
-        let cells = 0..self.space.mesh().cells();
-        integrate(self.space, N, rule, cells, |_, side, p| {
-            div_div::<K, N>(&g.jet2(side, p), &sigma.jet2(side, p))
-        })
-    }
-
-    /// a_h(g; σ, v).
-    pub fn a<K: Formulas>(&self) -> Three {
-        values(a_h_with::<K, f64, N, _, _>(
-            &self.g,
-            &self.sigma,
-            self.space,
-            &self.rules,
-        ))
-    }
-}
-
 /// 2 d/dt Σ̊_F ∫⟦H⟧vω_F.
 pub struct M01;
 
-impl OnMesh for M01 {
+impl Evolution for M01 {
     const RECORD: Record = Record {
         label: "M01",
         paper: &["Hdot2terms"],
         title: "The rate of the jump of the mean curvature",
         statement: r"2\frac{d}{dt}\int_F [\![H]\!]\,v\,\omega_F = -\int_F [\![\langle\overline{I\!I},\sigma|_F\rangle
             + (\operatorname{div}\mathbb{S}\sigma)(n) + \operatorname{div}_F(\sigma(n,\cdot)) - H\sigma(n,n)]\!]\,v\,\omega_F",
-        sides: "Left: H ω_F of g + tσ from both cells, over dual numbers. Right: covariant derivatives of σ and of n at \
-            t = 0, from each cell with its own outward normal. The same rule on both sides: no quadrature error.",
+        sides: "Left: H ω_F of g + tσ from both cells: Γ and the normal, none of their derivatives. Right: covariant \
+            derivatives of σ and of n, from each cell with its own outward normal; of the left side's functions II and H. \
+            The same rule on both sides: no quadrature error.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
 
@@ -143,18 +41,13 @@ impl OnMesh for M01 {
         pointwise(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (
-            ReggeSpace::new(&mesh, at.degree),
-            Lagrange::new(&mesh, at.test),
-        );
-        let m = Moving::<N>::new::<K>(at, draw, &regge, &space);
-        vec![jump_forgeries::<K, N>(
-            jump_terms::<K, N>(&m, at.degree == 0),
-            &m,
-            at.degree == 0,
-        )]
+    fn equations<K: Formulas, const N: usize>(
+        at: &Setting,
+        m: &Moving<'_, N>,
+    ) -> Vec<Equation<f64>> {
+        let flat = at.degree == 0;
+        let equation = jump_terms::<K, N>(m, flat);
+        vec![jump_forgeries::<K, N>(equation, m, flat)]
     }
 }
 
@@ -164,22 +57,19 @@ const DIV_F: &str = "−∫⟦div_F(σ(n,·))⟧vω_F";
 const RATE: &str = "2 d/dt ∫⟦H⟧vω_F";
 
 fn jump_terms<K: Formulas, const N: usize>(m: &Moving<'_, N>, flat: bool) -> Equation<f64> {
-    let jump = |q: fn(&FaceTerms) -> f64| minus(&m.faces::<K>(1.0, q));
+    let jump = |q: fn(&FaceTerms) -> f64| m.at.faces::<K>(Interior, q);
     Equation::new("2 d/dt Σ̊_F ∫⟦H⟧vω_F")
         .left(RATE, m.rate.f.clone())
         .vanishes(flat, FLAT)
-        .right(II, jump(|q| q.second_form))
-        .vanishes(
-            flat || N == 2,
-            "II‾ = 0 when N = 2, or g is constant on cells",
-        )
-        .right(DIV_S, jump(|q| q.div_s))
+        .right(II, minus(&jump(|q| q.second_form)))
+        .vanishes(flat || N == 2, NO_II)
+        .right(DIV_S, minus(&jump(|q| q.div_s)))
         .vanishes(flat, FLAT)
-        .right(DIV_F, jump(|q| q.div_f))
+        .right(DIV_F, minus(&jump(|q| q.div_f)))
         .vanishes(flat, FLAT)
-        .right("∫⟦Hσ(n,n)⟧vω_F", m.faces::<K>(1.0, |q| q.h_nn))
+        .right("∫⟦Hσ(n,n)⟧vω_F", jump(|q| q.h_nn))
         .vanishes(flat, FLAT)
-        .magnitude(m.faces::<K>(1.0, |q| q.s_nn))
+        .magnitude(jump(|q| q.s_nn))
 }
 
 fn jump_forgeries<K: Formulas, const N: usize>(
@@ -187,8 +77,8 @@ fn jump_forgeries<K: Formulas, const N: usize>(
     m: &Moving<'_, N>,
     flat: bool,
 ) -> Equation<f64> {
-    let jump = |q: fn(&FaceTerms) -> f64| minus(&m.faces::<K>(1.0, q));
-    let difference = |q: fn(&FaceTerms) -> f64| minus(&m.faces::<K>(-1.0, q));
+    let jump = |q: fn(&FaceTerms) -> f64| minus(&m.at.faces::<K>(Interior, q));
+    let difference = |q: fn(&FaceTerms) -> f64| minus(&m.at.differences::<K>(q));
     let forged = [
         ("II for II‾", II, jump(|q| q.plain_second_form)),
         ("div for div 𝕊", DIV_S, jump(|q| q.div)),
@@ -206,15 +96,16 @@ fn jump_forgeries<K: Formulas, const N: usize>(
 /// ∂_t(Θ_S ω_S).
 pub struct M02;
 
-impl OnMesh for M02 {
+impl Evolution for M02 {
     const RECORD: Record = Record {
         label: "M02",
         paper: &["lemma:angledefectdot", "angledefectdot"],
         title: "The rate of the angle defect, with the conormal corrected",
         statement: r"\frac{\partial}{\partial t}(\Theta_S\omega_S) = \frac12\Bigl(-\sum_{F\supset S}[\![\sigma(n,\tau)]\!]_F
             + \Theta_S\operatorname{Tr}(\sigma|_S)\Bigr)\omega_S,\quad \tau\text{ pointing from }S\text{ into }F",
-        sides: "Left: 2π minus dihedral angles of g + tσ by atan2, times ω_S, over dual numbers. Right: unit normals and \
-            conormals at t = 0, and the hinge sum of a_h. The paper prints + for the first sign; that is a forgery here.",
+        sides: "Left: 2π minus dihedral angles of g + tσ by atan2, times ω_S. Right: unit normals and conormals, and the \
+            hinge sum of a_h, where Θ_S enters once more: a wrong Θ_S is caught by D09, D10 and D11. The paper prints + for \
+            the first sign; that is a forgery here.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
 
@@ -222,26 +113,91 @@ impl OnMesh for M02 {
         pointwise(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (
-            ReggeSpace::new(&mesh, at.degree),
-            Lagrange::new(&mesh, at.test),
-        );
-        let m = Moving::<N>::new::<K>(at, draw, &regge, &space);
-        let turned = m.hinges::<K>();
+    fn equations<K: Formulas, const N: usize>(
+        _: &Setting,
+        m: &Moving<'_, N>,
+    ) -> Vec<Equation<f64>> {
+        let (rate, turned) = ("2 d/dt ∫Θvω_S", "−∫Σ_F⟦σ(n,τ)⟧vω_S");
+        let sum = m.at.turned::<K>(Interior);
         vec![
             Equation::new("2 d/dt Σ̊_S ∫Θvω_S")
-                .left("2 d/dt ∫Θvω_S", m.rate.s.clone())
-                .right("−∫Σ_F⟦σ(n,τ)⟧vω_S", minus(&turned))
-                .right("∫Θ Tr(σ|_S)vω_S", minus(&m.a::<K>().s))
+                .left(rate, m.rate.s.clone())
+                .right(turned, minus(&sum))
+                .right("∫Θ Tr(σ|_S)vω_S", minus(&m.at.a::<K>().s))
                 .vanishes(N == 2, POINTS)
-                .forge("the printed sign of τ", "−∫Σ_F⟦σ(n,τ)⟧vω_S", turned)
-                .forge(
-                    "the factor 2 dropped",
-                    "2 d/dt ∫Θvω_S",
-                    times(0.5, &m.rate.s),
-                ),
+                .forge("the printed sign of τ", turned, sum)
+                .forge("the factor 2 dropped", rate, times(0.5, &m.rate.s)),
         ]
     }
+}
+
+/// The six-term formula.
+pub struct M03;
+
+impl Evolution for M03 {
+    const RECORD: Record = Record {
+        label: "M03",
+        paper: &["distcurvdot0", "intcurvdot"],
+        title: "The rate of the distributional curvature, before integrating by parts",
+        statement: r"\frac{d}{dt}\langle (R\omega)_{\rm dist}(g(t)),v\rangle = \sum_T\int_T(\operatorname{div}\operatorname{div}
+            \mathbb{S}\sigma)v\omega - \mathring{\sum_F}\int_F[\![(\operatorname{div}\mathbb{S}\sigma)(n) +
+            \operatorname{div}_F(\sigma(n,\cdot)) - H\sigma(n,n)]\!]v\omega_F - \mathring{\sum_S}\int_S\sum_{F\supset S}
+            [\![\sigma(n,\tau)]\!]_F v\omega_S - a_h(g;\sigma,v)",
+        sides: "Left: the functional of g + tσ. Right: covariant derivatives of σ, normals and conormals, and a_h. Both use R, \
+            H and Θ: in the last terms they stand without a derivative. The same rule on both sides: no quadrature error. \
+            The sign of the third sum is corrected.",
+    };
+    const JUDGEMENT: Judgement = ROUNDING;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        pointwise(dimension, quick)
+    }
+
+    fn equations<K: Formulas, const N: usize>(
+        at: &Setting,
+        m: &Moving<'_, N>,
+    ) -> Vec<Equation<f64>> {
+        let (a, cells) = (m.at.a::<K>(), m.at.div_div::<K>());
+        let turned = m.at.turned::<K>(Interior);
+        let on_cells = Equation::new("on cells")
+            .left("d/dt ∫Rvω", m.rate.t.clone())
+            .vanishes(at.degree == 0, FLAT)
+            .right("∫(div div 𝕊σ)vω", cells.clone())
+            .vanishes(at.degree == 0, FLAT)
+            .right("−∫⟨G,σ⟩vω", minus(&a.t))
+            .vanishes(at.degree == 0 || N == 2, NO_G)
+            .magnitude(turned.clone());
+        let flux = minus(&m.at.faces::<K>(Interior, FaceTerms::flux));
+        let right = [cells, flux, minus(&turned)];
+        let whole = six_terms(&m.rate, right, &a, (at.degree == 0, N == 2));
+        vec![
+            on_cells,
+            whole.forge("the printed sign of τ", TURNED, turned),
+        ]
+    }
+}
+
+const TURNED: &str = "−Σ̊_S ∫Σ_F⟦σ(n,τ)⟧vω_S";
+
+fn six_terms(
+    rate: &Three,
+    [cells, flux, turned]: [Vec<f64>; 3],
+    a: &Three,
+    (flat, surface): (bool, bool),
+) -> Equation<f64> {
+    let sums = rate.t.iter().zip(&rate.f).zip(&rate.s);
+    let all: Vec<f64> = sums.map(|((t, f), s)| t + f + s).collect();
+    Equation::new("all")
+        .left("d/dt⟨(Rω)_dist,v⟩", all)
+        .right("Σ_T ∫(div div 𝕊σ)vω", cells)
+        .vanishes(flat, FLAT)
+        .right("−Σ̊_F ∫⟦(div 𝕊σ)(n) + div_F(σ(n,·)) − Hσ(n,n)⟧vω_F", flux)
+        .vanishes(flat, FLAT)
+        .right(TURNED, turned)
+        .right("−Σ_T ∫⟨G,σ⟩vω", minus(&a.t))
+        .vanishes(flat || surface, NO_G)
+        .right("−Σ̊_F ∫⟨⟦II‾⟧,σ⟩vω_F", minus(&a.f))
+        .vanishes(flat || surface, NO_II)
+        .right("Σ̊_S ∫Θ Tr(σ|_S)vω_S", minus(&a.s))
+        .vanishes(surface, POINTS)
 }

@@ -91,3 +91,16 @@ pub fn hinges<T: Real, const N: usize>(g: &Regge<'_, T, N>) -> Vec<FlatHinge<T>>
     }
     all
 }
+
+/// 2Σ Θ_S ∫_S φ_i for every hat function, which has the mean 1/(N−1) on a hinge with N−1 vertices.
+pub fn against_hats<const N: usize>(g: &Regge<'_, f64, N>) -> Vec<f64> {
+    let mesh: &Mesh<N> = g.space().mesh();
+    let mut sums = vec![0.0; mesh.count(0)];
+    for h in hinges::<f64, N>(g) {
+        let share = 2.0 * h.defect * h.volume / (N - 1) as f64;
+        for &v in mesh.vertices(N - 2, h.hinge) {
+            sums[v as usize] += share;
+        }
+    }
+    sums
+}

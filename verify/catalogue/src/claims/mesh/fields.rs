@@ -16,13 +16,12 @@ pub type Regge<'s, C, const N: usize> = ReggeFunction<'s, C, N>;
 
 /// The coefficients of the metric that makes each edge as long as it is in ℝ^N, or 1 on a mesh without coordinates,
 /// each times 1 + `noise` · (a random number in −1…1). With noise ≥ 1 it is a variation rather than a metric.
-fn near_flat<'s, const N: usize>(
+pub fn near_flat<'s, const N: usize>(
     space: &'s ReggeSpace<'s, N>,
-    draw: &mut Draw,
+    random: &[f64],
     noise: f64,
 ) -> Regge<'s, f64, N> {
     let mesh = space.mesh();
-    let random = draw.numbers(space.len());
     let mut coefficients = vec![0.0; space.len()];
     for cell in 0..mesh.cells() {
         for (e, edge) in subsets(N + 1, 2).iter().enumerate() {
@@ -55,7 +54,11 @@ pub fn metric<'s, const N: usize>(
     space: &'s ReggeSpace<'s, N>,
     draw: &mut Draw,
 ) -> Regge<'s, f64, N> {
-    near_flat(space, draw, [0.03, 0.015, 0.005][N - 2])
+    near_flat(
+        space,
+        &draw.numbers(space.len()),
+        [0.03, 0.015, 0.005][N - 2],
+    )
 }
 
 /// A random σ, as large as a metric.
@@ -63,7 +66,12 @@ pub fn variation<'s, const N: usize>(
     space: &'s ReggeSpace<'s, N>,
     draw: &mut Draw,
 ) -> Regge<'s, f64, N> {
-    near_flat(space, draw, 1.0)
+    near_flat(space, &draw.numbers(space.len()), 1.0)
+}
+
+/// δ, on a mesh with coordinates.
+pub fn flat<'s, const N: usize>(space: &'s ReggeSpace<'s, N>) -> Regge<'s, f64, N> {
+    near_flat(space, &vec![0.0; space.len()], 0.0)
 }
 
 /// g + t σ to first order in t.

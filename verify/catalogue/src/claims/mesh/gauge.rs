@@ -1,117 +1,79 @@
-//! D10: smooth metrics. M16: flat metrics in disguise.
+//! M16: flat metrics in disguise.
 
-use super::fields::{metric, values};
-use super::setting::{Draw, OnMesh, ROUNDING, Setting, Shape, grid};
-use crate::claim::{Equation, Judgement, Record};
+use super::evolution::POINTS_IN_T;
+use super::fields::{Regge, Tested, function, metric, values};
+use super::pair::Pair;
+use super::setting::{Draw, OnMesh, QUADRATURE, ROUNDING, Setting, Shape};
+use crate::claim::{Equation, Judgement, Method, Record};
 use regge::field::TensorField;
 use regge::formulas::Formulas;
-use regge::functional::{Rules, a_h_with, distributional_curvature_with, smooth_curvature};
+use regge::functional::{Rules, a_h_with, distributional_curvature_with};
 use regge::jet::Jet2;
 use regge::lagrange::Lagrange;
 use regge::linalg::{Mat, Vector, symmetric};
 use regge::mesh::Mesh;
-use regge::metrics::Metric;
+use regge::quadrature::gauss_legendre;
 use regge::regge::{Canonical, ReggeSpace};
 use regge::simplex::{Bernstein, Points};
-use regge::smooth::Smooth;
 
-fn size(sums: &[&[f64]]) -> f64 {
-    sums.iter()
-        .flat_map(|s| s.iter())
-        .fold(0.0, |m: f64, x| m.max(x.abs()))
-}
-
-/// A smooth metric has no jumps.
-pub struct D10;
-
-impl OnMesh for D10 {
-    const RECORD: Record = Record {
-        label: "D10",
-        paper: &["def:distcurv"],
-        title: "For smooth metrics the distributional curvature is the curvature",
-        statement: r"g\text{ smooth}:\quad [\![H]\!]_F=0,\ [\![I\!I]\!]_F=0,\ \Theta_S=0,\quad (R\omega)_{\rm dist}(g)=(R\omega)(g)",
-        sides: "The production sums over faces and hinges of a metric that each cell sees in coordinates of its own; a factor \
-            or normal that is wrong on one side leaves something behind.",
-    };
-    const JUDGEMENT: Judgement = ROUNDING;
-
-    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        let shapes: &[Shape] = if quick {
-            &[Shape::Alfeld]
-        } else {
-            &[Shape::Alfeld, Shape::Cube(2)]
-        };
-        match dimension {
-            2 | 3 => grid(shapes, &[3, 4], 1),
-            4 => grid(&shapes[..1], &[3], 1),
-            _ => Vec::new(),
-        }
-    }
-
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
-        let mut all = Vec::new();
-        for formula in [Metric::Trig, Metric::GraphQuartic, Metric::Sphere] {
-            let Ok(g) = Smooth::new(&mesh, formula) else {
-                continue;
-            };
-            let sums = values(distributional_curvature_with::<K, f64, N, _>(
-                &g, &space, &rules,
-            ));
-            let a = values(a_h_with::<K, f64, N, _, _>(&g, &g, &space, &rules));
-            let smooth = smooth_curvature::<f64, N, _>(&g, &space, &rules.element);
-            let large = size(&[&smooth]);
-            all.push(
-                Equation::new("(Rω)_dist")
-                    .left("Σ_T ∫Rvω", sums.t)
-                    .left("2Σ̊_F ∫⟦H⟧vω_F", sums.f)
-                    .vanishes(true, "g is smooth")
-                    .left("2Σ̊_S ∫Θvω_S", sums.s)
-                    .vanishes(true, "g is smooth")
-                    .right("∫Rvω", smooth)
-                    .magnitude(large),
-            );
-            all.push(
-                Equation::new("(Gω)_dist")
-                    .left("Σ̊_F ∫⟨⟦II‾⟧,g⟩vω_F", a.f)
-                    .vanishes(true, "g is smooth")
-                    .left("−Σ̊_S ∫Θ Tr(g|_S)vω_S", a.s)
-                    .vanishes(true, "g is smooth")
-                    .magnitude(large),
-            );
-        }
-        all
-    }
-}
-
-/// φ*δ for a continuous piecewise polynomial map φ of degree s: g_mn = ∂_mφ·∂_nφ.
+/// φ*δ for a continuous piecewise polynomial map φ of degree s: g_mn = ∂_mφ·∂_nφ. Or, with another map ψ, the
+/// symmetric ½(∂_mφ·∂_nψ + ∂_mψ·∂_nφ).
 struct PullBack<'m, const N: usize> {
     space: Lagrange<'m, N>,
     phi: Vec<Vector<f64, N>>,
+    psi: Vec<Vector<f64, N>>,
 }
 
 impl<'m, const N: usize> PullBack<'m, N> {
-    /// The identity, every coefficient moved by up to `noise`.
-    fn new(mesh: &'m Mesh<N>, degree: usize, noise: f64, draw: &mut Draw) -> Self {
-        let space = Lagrange::new(mesh, degree);
-        let moves = draw.numbers(space.len() * N);
-        let mut phi = vec![Vector::zeros(); space.len()];
-        let basis = space.basis(N);
-        for cell in 0..mesh.cells() {
-            for (i, dof) in space.cell_dofs(cell).enumerate() {
-                let mut x = Vector::from_fn(|m, _| noise * moves[dof * N + m]);
-                for (v, &e) in basis.exponents()[i].iter().enumerate() {
-                    if let Some(corner) = mesh.corner(cell, v) {
-                        x += corner * (e as f64 / degree as f64);
-                    }
-                }
-                phi[dof] = x;
-            }
-        }
-        Self { space, phi }
+    /// By one map.
+    fn new(mesh: &'m Mesh<N>, degree: usize, phi: Vec<Vector<f64, N>>) -> Self {
+        Self::polarised(mesh, degree, phi.clone(), phi)
     }
+
+    fn polarised(
+        mesh: &'m Mesh<N>,
+        degree: usize,
+        phi: Vec<Vector<f64, N>>,
+        psi: Vec<Vector<f64, N>>,
+    ) -> Self {
+        let space = Lagrange::new(mesh, degree);
+        Self { space, phi, psi }
+    }
+}
+
+/// The coefficients of the identity as a map of degree s.
+fn identity_map<const N: usize>(mesh: &Mesh<N>, degree: usize) -> Vec<Vector<f64, N>> {
+    let space = Lagrange::new(mesh, degree);
+    let mut phi = vec![Vector::zeros(); space.len()];
+    let basis = space.basis(N);
+    for cell in 0..mesh.cells() {
+        for (i, dof) in space.cell_dofs(cell).enumerate() {
+            let mut x = Vector::zeros();
+            for (v, &e) in basis.exponents()[i].iter().enumerate() {
+                if let Some(corner) = mesh.corner(cell, v) {
+                    x += corner * (e as f64 / degree as f64);
+                }
+            }
+            phi[dof] = x;
+        }
+    }
+    phi
+}
+
+/// A random displacement: every coefficient up to 0.03.
+fn displacement<const N: usize>(len: usize, draw: &mut Draw) -> Vec<Vector<f64, N>> {
+    let moves = draw.numbers(len * N);
+    let of = |dof: usize| Vector::from_fn(|m, _| 0.03 * moves[dof * N + m]);
+    (0..len).map(of).collect()
+}
+
+/// φ + t u.
+fn moved<const N: usize>(
+    phi: &[Vector<f64, N>],
+    t: f64,
+    u: &[Vector<f64, N>],
+) -> Vec<Vector<f64, N>> {
+    phi.iter().zip(u).map(|(x, u)| x + u * t).collect()
 }
 
 /// The jet whose derivatives nobody may use: they are poison.
@@ -125,20 +87,31 @@ pub fn value_only<const N: usize>(value: f64) -> Jet2<f64, N> {
 
 impl<const N: usize> TensorField<f64, N> for PullBack<'_, N> {
     type Table = Vec<Vec<Jet2<f64, N>>>;
-    type Local = Vec<Vector<f64, N>>;
+    type Local = [Vec<Vector<f64, N>>; 2];
 
     fn tabulate(&self, points: &Points) -> Self::Table {
         Bernstein::new(N + 1, self.space.degree()).tabulate_jets(points)
     }
     fn on_cell(&self, cell: usize) -> Self::Local {
-        self.space.cell_dofs(cell).map(|d| self.phi[d]).collect()
+        [&self.phi, &self.psi].map(|map| self.space.cell_dofs(cell).map(|d| map[d]).collect())
     }
     fn jet2(&self, local: &Self::Local, table: &Self::Table, q: usize) -> Mat<Jet2<f64, N>, N> {
-        let d = |m: usize| -> Vector<f64, N> {
-            local.iter().zip(&table[q]).map(|(c, b)| c * b.d[m]).sum()
+        let d = |map: &[Vector<f64, N>], m: usize| -> Vector<f64, N> {
+            map.iter().zip(&table[q]).map(|(c, b)| c * b.d[m]).sum()
         };
-        symmetric(|m, n| value_only(d(m).dot(&d(n))))
+        let [phi, psi] = local;
+        symmetric(|m, n| value_only(0.5 * (d(phi, m).dot(&d(psi, n)) + d(psi, m).dot(&d(phi, n)))))
     }
+}
+
+/// As a Regge function, which the field is for maps of degree s: the canonical interpolant changes nothing.
+fn as_regge<'s, const N: usize>(
+    regge: &'s ReggeSpace<'s, N>,
+    field: &PullBack<'_, N>,
+    s: usize,
+) -> Regge<'s, f64, N> {
+    let canonical = Canonical::new(regge);
+    function(regge, canonical.solve(&canonical.evaluate(field, 4 * s)))
 }
 
 /// φ*δ is flat.
@@ -151,14 +124,18 @@ impl OnMesh for M16 {
         title: "The pull-back of a flat metric by a piecewise polynomial homeomorphism is flat",
         statement: r"\varphi\in C^0,\ \varphi|_T\in P_s:\quad g=\varphi^*\delta\in{\rm Reg}^{2(s-1)}:\quad [\![I\!I]\!]_F=0,\
             \Theta_S=0,\ (R\omega)_{\rm dist}(g)=0,\ (G\omega)_{\rm dist}(g)=0",
-        sides: "Each production sum, relative to its one-sided parts: the metric jumps across faces, its curvature does not.",
+        sides: "Left: each production sum; the metric jumps across faces, its curvature does not. Right: nothing. Along the \
+            path φ_t = id + tu: b_h(g_t; ġ_t, v) vanishes at all t, and so does a_h.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        let times = if quick { 1 } else { 8 };
+        let times = if quick { 1 } else { 16 };
         let of = |shape, s: &[usize]| -> Vec<Setting> {
-            let one = |s: &usize| vec![Setting::new(shape, *s, 4); times];
+            let one = |s: &usize| {
+                let at = Setting::new(shape, *s, 4);
+                (0..times).map(move |pick| Setting { pick, ..at })
+            };
             s.iter().flat_map(one).collect()
         };
         match dimension {
@@ -171,14 +148,11 @@ impl OnMesh for M16 {
     /// Here the setting's degree is s.
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
-        let field = PullBack::new(&mesh, at.degree, 0.03, draw);
+        let start = identity_map(&mesh, at.degree);
+        let u = displacement(start.len(), draw);
         let regge = ReggeSpace::new(&mesh, 2 * (at.degree - 1));
-        let canonical = Canonical::new(&regge);
-        // It is a Regge metric of this degree: the canonical interpolant changes nothing.
-        let g = super::fields::function(
-            &regge,
-            canonical.solve(&canonical.evaluate(&field, 4 * at.degree)),
-        );
+        let pulled_back = PullBack::new(&mesh, at.degree, moved(&start, 1.0, &u));
+        let g = as_regge(&regge, &pulled_back, at.degree);
         let space = Lagrange::new(&mesh, at.test);
         let rules = Rules::new::<N>(at.order);
         let sums = values(distributional_curvature_with::<K, f64, N, _>(
@@ -209,5 +183,79 @@ impl OnMesh for M16 {
             one("Σ̊_F ∫⟨⟦II‾⟧,σ⟩vω_F", a.f),
             one("Σ̊_S ∫Θ Tr(σ|_S)vω_S", a.s),
         ]
+    }
+}
+
+/// Along the path φ_t = id + tu: ∫₀¹ b_h(g_t; ġ_t, v) dt = 0, although neither of its sums vanishes.
+pub struct Straight;
+
+impl OnMesh for Straight {
+    const RECORD: Record = M16::RECORD;
+    const METHOD: Method = Method::Homotopy;
+    const JUDGEMENT: Judgement = QUADRATURE;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        let all = M16::settings(dimension, quick).into_iter();
+        // For s = 2 b_h has no polynomial integrands.
+        let order = |s: usize| if s == 1 { 4 } else { 22 };
+        all.filter(|at| at.pick < 4)
+            .map(|at| Setting {
+                order: order(at.degree),
+                ..at
+            })
+            .collect()
+    }
+
+    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        let mesh = at.shape.mesh::<N>();
+        let space = Lagrange::new(&mesh, at.test);
+        let start = identity_map(&mesh, at.degree);
+        let u = displacement(start.len(), draw);
+        let mut sums: [Vec<f64>; 4] = std::array::from_fn(|_| vec![0.0; space.len()]);
+        let (nodes, weights) = gauss_legendre(POINTS_IN_T);
+        for (t, w) in nodes.into_iter().zip(weights) {
+            let terms = Self::forms::<K, N>(at, &space, &moved(&start, t, &u), &u);
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                for (s, x) in sum.iter_mut().zip(term) {
+                    *s += w * x;
+                }
+            }
+        }
+        let [cells, faces, jumps, defects] = sums.map(|s| Tested::Inner.of(&space, &s));
+        vec![
+            Equation::new("∫b_h(g_t; ġ_t, v)dt")
+                .left("Σ_T ∫∫⟨𝕊ġ,∇∇v⟩ω dt", cells)
+                .left("−Σ_F ∫∫𝕊ġ(n,n)⟦∇_n v⟧ω_F dt", faces),
+            Equation::new("∫a_h(g_t; ġ_t, v)dt")
+                .left("Σ̊_F ∫∫⟨⟦II‾⟧,ġ⟩vω_F dt", jumps)
+                .vanishes(true, "no jump of II")
+                .left("−Σ̊_S ∫∫Θ Tr(ġ|_S)vω_S dt", defects)
+                .vanishes(true, "Θ = 0")
+                // ġ is as large as the displacement, Θ a difference of angles near 2π.
+                .magnitude(0.03),
+        ]
+    }
+}
+
+impl Straight {
+    /// The sums of b_h over cells and faces, of a_h over faces and hinges, at g = φ*δ with ġ = ∂φ·∂u + ∂u·∂φ.
+    fn forms<K: Formulas, const N: usize>(
+        at: &Setting,
+        space: &Lagrange<'_, N>,
+        phi: &[Vector<f64, N>],
+        u: &[Vector<f64, N>],
+    ) -> [Vec<f64>; 4] {
+        let mesh = space.mesh();
+        let regge = ReggeSpace::new(mesh, 2 * (at.degree - 1));
+        let g = PullBack::new(mesh, at.degree, phi.to_vec());
+        let rate = PullBack::polarised(mesh, at.degree, phi.to_vec(), moved(u, 1.0, u));
+        let pair = Pair {
+            space,
+            rules: Rules::new::<N>(at.order),
+            g: as_regge(&regge, &g, at.degree),
+            sigma: as_regge(&regge, &rate, at.degree),
+        };
+        let (b, a) = (pair.b::<K>(), pair.a::<K>());
+        [b.t, b.f, a.f, a.s]
     }
 }

@@ -1,67 +1,76 @@
-//! M06: eq. integralformula, and M05 along a finite path: the difference of two curvatures as an integral over t.
+//! M06: eq. integralformula, the difference of two curvatures as an integral over t; and at one t, by AD.
 
-use super::fields::{Regge, Tested, metric, minus};
+use super::evolution::{POINTS_IN_T, too_few};
+use super::fields::{Regge, Tested, Three, minus, rates};
+use super::patch::Patch;
 use super::setting::{Draw, OnMesh, QUADRATURE, Setting, Shape};
-use super::variation::orders;
 use crate::claim::{Equation, Judgement, Method, Record};
-use regge::field::{Combination, TensorField};
+use num_dual::Dual64;
+use regge::field::Combination;
 use regge::formulas::Formulas;
 use regge::functional::{
     Rules, a_h_with, b_h_with, distributional_curvature_with, smooth_curvature,
 };
 use regge::lagrange::Lagrange;
-use regge::linalg::Mat;
 use regge::mesh::Mesh;
 use regge::metrics::Metric;
 use regge::quadrature::gauss_legendre;
 use regge::regge::{Interpolant, Projection, ReggeSpace, geodesic_interpolant};
-use regge::scalar::Real;
-use regge::smooth::{Smooth, SmoothTensor};
+use regge::smooth::Smooth;
+use std::marker::PhantomData;
 
-/// How many Gauss points in t: the integrand is analytic in t far beyond [0, 1].
-const POINTS_IN_T: usize = 8;
-
-/// ∫₀¹ b_h dt and −∫₀¹ a_h dt by n Gauss points in t.
-struct Path<'a, K, G, H, const N: usize> {
-    ends: (&'a G, &'a H),
+/// A smooth metric g and one of its interpolants g_h.
+struct Ends<'a, K, const N: usize> {
+    g: &'a Smooth<'a, Patch<N>, N>,
+    g_h: &'a Regge<'a, f64, N>,
     space: &'a Lagrange<'a, N>,
-    rules: &'a Rules,
-    formulas: std::marker::PhantomData<K>,
+    rules: Rules,
+    formulas: PhantomData<K>,
 }
 
-impl<K: Formulas, G: TensorField<f64, N>, H: TensorField<f64, N>, const N: usize>
-    Path<'_, K, G, H, N>
-{
-    fn integral(&self, points: usize) -> [Vec<f64>; 2] {
-        let (from, to) = self.ends;
-        let sigma = Combination::new(-1.0, from, 1.0, to);
-        let mut sums = [vec![0.0; self.space.len()], vec![0.0; self.space.len()]];
-        let (nodes, weights) = gauss_legendre(points);
-        for (t, w) in nodes.into_iter().zip(weights) {
-            let g = Combination::segment(from, to, t);
-            let b = b_h_with::<K, f64, N, _, _>(&g, &sigma, self.space, self.rules).total();
-            let a = a_h_with::<K, f64, N, _, _>(&g, &sigma, self.space, self.rules).total();
-            for i in 0..b.len() {
-                sums[0][i] += w * b[i];
-                sums[1][i] -= w * a[i];
-            }
-        }
-        sums.map(|s| Tested::Inner.of(self.space, &s))
+impl<K: Formulas, const N: usize> Ends<'_, K, N> {
+    fn inner(&self, v: &[f64]) -> Vec<f64> {
+        Tested::Inner.of(self.space, v)
     }
 
-    /// ⟨(Rω)_dist(to), v⟩ − ⟨(Rω)_dist(from), v⟩ = ∫ b_h − ∫ a_h; with fewer points in t it must not hold.
-    fn equation(&self, name: &'static str, to: Vec<f64>, from: Vec<f64>) -> Equation<f64> {
+    /// b_h and −a_h at t.
+    fn forms(&self, t: f64) -> [Vec<f64>; 2] {
+        let sigma = Combination::new(-1.0, self.g, 1.0, self.g_h);
+        let g = Combination::segment(self.g, self.g_h, t);
+        let b = b_h_with::<K, f64, N, _, _>(&g, &sigma, self.space, &self.rules).total();
+        let a = a_h_with::<K, f64, N, _, _>(&g, &sigma, self.space, &self.rules).total();
+        [self.inner(&b), minus(&self.inner(&a))]
+    }
+
+    /// ∫₀¹ b_h dt and −∫₀¹ a_h dt by n Gauss points.
+    fn integral(&self, points: usize) -> [Vec<f64>; 2] {
+        let mut sums: [Vec<f64>; 2] = Default::default();
+        let (nodes, weights) = gauss_legendre(points);
+        for (t, w) in nodes.into_iter().zip(weights) {
+            for (sum, form) in sums.iter_mut().zip(self.forms(t)) {
+                sum.resize(form.len(), 0.0);
+                for (s, x) in sum.iter_mut().zip(form) {
+                    *s += w * x;
+                }
+            }
+        }
+        sums
+    }
+
+    /// ⟨(Rω)_dist(g_h), v⟩ − ⟨(Rω)(g), v⟩ = ∫ b_h − ∫ a_h; with fewer points in t it must not hold.
+    fn equation(&self) -> Equation<f64> {
+        let (space, rules) = (self.space, &self.rules);
+        let to = distributional_curvature_with::<K, f64, N, _>(self.g_h, space, rules).total();
+        let from = smooth_curvature::<f64, N, _>(self.g, space, &rules.element);
         let [b, a] = self.integral(POINTS_IN_T);
-        let inner = |v: &[f64]| Tested::Inner.of(self.space, v);
-        let mut equation = Equation::new(name)
-            .left("⟨(Rω)_dist(g_h),v⟩", inner(&to))
-            .left("−⟨(Rω)(g),v⟩", minus(&inner(&from)))
+        let mut equation = Equation::new("integral formula")
+            .left("⟨(Rω)_dist(g_h),v⟩", self.inner(&to))
+            .left("−⟨(Rω)(g),v⟩", minus(&self.inner(&from)))
             .right("∫b_h dt", b)
             .right("−∫a_h dt", a)
-            .vanishes(N == 2, "(Gω)_dist = 0 when N = 2");
-        // The margins show how fast it converges in t: three points are nearly enough.
-        let names = ["1 Gauss point in t", "2 Gauss points in t"];
-        for (points, name) in (1..).zip(names) {
+            .vanishes(N == 2, NONE);
+        // The margins show how fast it converges in t.
+        for (points, name) in too_few(N) {
             let [b, a] = self.integral(points);
             equation = equation
                 .forge_terms(name, vec![("∫b_h dt", b), ("−∫a_h dt", a)])
@@ -69,48 +78,90 @@ impl<K: Formulas, G: TensorField<f64, N>, H: TensorField<f64, N>, const N: usize
         }
         equation
     }
+
+    /// d/dt ⟨(Rω)_dist((1−t)g + tg_h), v⟩ = b_h − a_h at this t.
+    fn rate_equation(&self, t: f64) -> Equation<f64> {
+        let moving = Combination::segment(self.g, self.g_h, Dual64::new(t, 1.0));
+        let (space, rules) = (self.space, &self.rules);
+        let sums = distributional_curvature_with::<K, Dual64, N, _>(&moving, space, rules);
+        let Three { t: cells, f, s } = Tested::Inner.of_sums(space, &rates(&sums));
+        let [b, a] = self.forms(t);
+        let curvature = smooth_curvature::<f64, N, _>(self.g, space, &rules.element);
+        Equation::new("at one t")
+            .left("d/dt Σ_T ∫Rvω", cells)
+            .left("d/dt 2Σ̊_F ∫⟦H⟧vω_F", f)
+            .left("d/dt 2Σ̊_S ∫Θvω_S", s)
+            .right("b_h", b)
+            .right("−a_h", a)
+            .vanishes(N == 2, NONE)
+            // σ is a small difference of two metrics: what is rounded is of their size.
+            .magnitude(self.inner(&curvature))
+    }
 }
 
-/// A smooth metric on a small patch: the formula at a third of the coordinates, so that one cell sees little of it
-/// and rules of moderate order integrate to rounding.
-#[derive(Clone, Copy, Debug)]
-struct Patch(Metric);
+const NONE: &str = "(Gω)_dist = 0 when N = 2";
 
-impl<const N: usize> SmoothTensor<N> for Patch {
-    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
-        self.0.at(&x.map(|x| x * S::ratio(1, 3) + S::ratio(1, 5)))
-    }
+/// The interpolants of a degree, by number: three, and the geodesic one for r = 0.
+fn interpolants(degree: usize) -> usize {
+    3 + usize::from(degree == 0)
+}
+
+fn interpolant<'s, const N: usize>(
+    pick: usize,
+    regge: &'s ReggeSpace<'s, N>,
+    g: &Smooth<'_, Patch<N>, N>,
+) -> Regge<'s, f64, N> {
+    let projection = Projection::exact::<N>(regge.degree());
+    let found = match pick {
+        0 => Interpolant::Canonical { order: 16 }.apply(regge, g),
+        1 => Interpolant::Average(projection).apply(regge, g),
+        2 => Interpolant::AverageHierarchical(projection).apply(regge, g),
+        _ => geodesic_interpolant(regge, g.formula()),
+    };
+    // They are near g, which is positive definite.
+    found.unwrap_or_else(|e| panic!("interpolant {pick}: {e}"))
+}
+
+/// Every interpolant of every degree, so many times.
+fn settings(dimension: usize, degrees: usize, times: usize) -> Vec<Setting> {
+    let (shape, order) = match dimension {
+        2 => (Shape::Cube(2), 24),
+        3 => (Shape::Alfeld, 26),
+        _ => return Vec::new(),
+    };
+    let of = |degree| {
+        let at = Setting::new(shape, degree, order);
+        (0..interpolants(degree) * times).map(move |i| Setting {
+            pick: i % interpolants(degree),
+            ..at
+        })
+    };
+    (0..degrees).flat_map(of).collect()
+}
+
+fn one<K: Formulas, const N: usize>(
+    at: &Setting,
+    draw: &mut Draw,
+    f: impl FnOnce(&Ends<'_, K, N>) -> Equation<f64>,
+) -> Vec<Equation<f64>> {
+    let mesh: Mesh<N> = at.shape.mesh();
+    // The mesh has coordinates.
+    let g = Smooth::new(&mesh, Patch::new(Metric::Trig, draw)).unwrap_or_else(|e| panic!("{e}"));
+    let (regge, space) = (
+        ReggeSpace::new(&mesh, at.degree),
+        Lagrange::new(&mesh, at.test),
+    );
+    vec![f(&Ends {
+        g: &g,
+        g_h: &interpolant(at.pick, &regge, &g),
+        space: &space,
+        rules: Rules::new::<N>(at.order),
+        formulas: PhantomData,
+    })]
 }
 
 /// ⟨(Rω)_dist(g_h) − (Rω)(g), v⟩ = ∫₀¹ b_h − a_h dt.
 pub struct M06;
-
-impl M06 {
-    /// Every interpolant of the formula.
-    fn interpolants<'s, const N: usize>(
-        space: &'s ReggeSpace<'s, N>,
-        g: &Smooth<'_, Patch, N>,
-    ) -> Vec<(&'static str, Regge<'s, f64, N>)> {
-        let projection = || Projection::exact::<N>(space.degree());
-        let all = [
-            ("canonical", Interpolant::Canonical { order: 16 }),
-            ("averaged", Interpolant::Average(projection())),
-            (
-                "averaged, hierarchical",
-                Interpolant::AverageHierarchical(projection()),
-            ),
-        ];
-        let mut found: Vec<_> = (all.iter())
-            .filter_map(|(name, i)| Some((*name, i.apply(space, g).ok()?)))
-            .collect();
-        if space.degree() == 0
-            && let Ok(geodesic) = geodesic_interpolant(space, g.formula())
-        {
-            found.push(("geodesic", geodesic));
-        }
-        found
-    }
-}
 
 impl OnMesh for M06 {
     const RECORD: Record = Record {
@@ -119,99 +170,38 @@ impl OnMesh for M06 {
         title: "The error as an integral along the segment from g to g_h",
         statement: r"\langle (R\omega)_{\rm dist}(g_h) - (R\omega)(g),v\rangle = \int_0^1 b_h(\tilde g(t);\sigma,v) -
             a_h(\tilde g(t);\sigma,v)\,dt,\quad \tilde g(t)=(1-t)g+tg_h,\ \sigma=g_h-g",
-        sides: "Left: two curvature functionals. Right: the forms b_h and a_h at points between them. No derivative in t is \
-            taken anywhere.",
+        sides: "Left: two curvature functionals. Right: the forms b_h and a_h at points between them, which have no integral \
+            in common with them. No derivative in t is taken anywhere; by AD, one is, at a random t.",
     };
     const METHOD: Method = Method::Homotopy;
     const JUDGEMENT: Judgement = QUADRATURE;
 
     fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        let degrees = if quick { 2 } else { 3 };
-        let of = |shape, order| {
-            (0..degrees)
-                .map(move |r| Setting::new(shape, r, order))
-                .collect()
-        };
-        match dimension {
-            2 => of(Shape::Cube(2), 20),
-            3 => of(Shape::Alfeld, 22),
-            _ => Vec::new(),
-        }
-    }
-
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh: Mesh<N> = at.shape.mesh();
-        let Ok(g) = Smooth::new(&mesh, Patch(Metric::Trig)) else {
-            return Vec::new();
-        };
-        let regge = ReggeSpace::new(&mesh, at.degree);
-        let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
-        let smooth = smooth_curvature::<f64, N, _>(&g, &space, &rules.element);
-        let found = Self::interpolants(&regge, &g);
-        assert!(
-            found.len() >= 3 + usize::from(at.degree == 0),
-            "every interpolant exists"
-        );
-        let one = |(name, g_h): &(&'static str, Regge<'_, f64, N>)| {
-            let path = Path::<K, _, _, N> {
-                ends: (&g, g_h),
-                space: &space,
-                rules: &rules,
-                formulas: std::marker::PhantomData,
-            };
-            let to = distributional_curvature_with::<K, f64, N, _>(g_h, &space, &rules);
-            path.equation(name, to.total(), smooth.clone())
-        };
-        found.iter().map(one).collect()
-    }
-}
-
-/// M05 along a path: two arbitrary Regge metrics as ends.
-pub struct Between;
-
-impl OnMesh for Between {
-    const RECORD: Record = Record {
-        ..super::variation::M05::RECORD
-    };
-    const METHOD: Method = Method::Homotopy;
-    const JUDGEMENT: Judgement = QUADRATURE;
-
-    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
-        // Two ends: twice as far from a flat metric.
-        let orders = orders(dimension).map(|o| if o > 2 { o + 2 } else { o });
-        let all =
-            |shapes: &[Shape]| super::setting::grid(shapes, &orders, if quick { 1 } else { 2 });
-        match dimension {
-            2 => all(&[Shape::Alfeld, Shape::Torus(3), Shape::Sphere]),
-            3 => {
-                let mut cases = super::setting::grid(&[Shape::Torus(3)], &orders[..1], 1);
-                cases.extend(all(&[Shape::Alfeld, Shape::Sphere]));
-                cases
-            }
-            _ => Vec::new(),
+        if quick {
+            settings(dimension, 2, 1)
+        } else {
+            settings(dimension, 3, 4)
         }
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let regge = ReggeSpace::new(&mesh, at.degree);
-        let (from, to) = (metric(&regge, draw), metric(&regge, draw));
-        let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
-        let curvature = |g: &Regge<'_, f64, N>| {
-            distributional_curvature_with::<K, f64, N, _>(g, &space, &rules).total()
-        };
-        let path = Path::<K, _, _, N> {
-            ends: (&from, &to),
-            space: &space,
-            rules: &rules,
-            formulas: std::marker::PhantomData,
-        };
-        vec![path.equation(
-            "between two Regge metrics",
-            curvature(&to),
-            curvature(&from),
-        )]
+        one::<K, N>(at, draw, |ends| ends.equation())
+    }
+}
+
+/// Its integrand.
+pub struct AtOneTime;
+
+impl OnMesh for AtOneTime {
+    const RECORD: Record = M06::RECORD;
+    const JUDGEMENT: Judgement = QUADRATURE;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        settings(dimension, if quick { 2 } else { 3 }, 1)
+    }
+
+    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        let t = draw.numbers(1)[0].abs();
+        one::<K, N>(at, draw, |ends| ends.rate_equation(t))
     }
 }

@@ -1,15 +1,12 @@
 //! M04: lemma:IBPdivdivS on a mesh; T03, T04: on one simplex.
 
 use super::density::FaceTerms;
-use super::fields::{InteriorFaces, Tested, minus, values};
-use super::pair::Pair;
+use super::fields::{InteriorFaces, Tested, minus};
+use super::pair::{Pair, Where, with_pair};
 use super::setting::{Draw, OnMesh, QUADRATURE, Setting, Shape, grid};
 use super::variation::{FLAT, everywhere, orders};
 use crate::claim::{Equation, Judgement, Record};
 use regge::formulas::Formulas;
-use regge::functional::b_h_with;
-use regge::lagrange::Lagrange;
-use regge::regge::ReggeSpace;
 
 /// lemma:IBPdivdivS on a mesh.
 pub struct M04;
@@ -40,7 +37,8 @@ impl OnMesh for M04 {
             [\![(\operatorname{div}\mathbb{S}\sigma)(n)+\operatorname{div}_F(\sigma(n,\cdot))-H\sigma(n,n)]\!]v\omega_F
             - \mathring{\sum_S}\int_S\sum_{F\supset S}[\![\sigma(n,\tau)]\!]_F v\omega_S = b_h(g;\sigma,v)\quad\forall v\in V",
         sides: "Left: derivatives of σ and none of v. Right: the production b_h, with derivatives of v and none of σ. They \
-            agree in the limit of exact quadrature.",
+            agree in the limit of exact quadrature. Exactly as T04, on a triangle cut into three, with v a multiple of a hat \
+            function and σ(n,n) discontinuous.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -49,48 +47,40 @@ impl OnMesh for M04 {
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (
-            ReggeSpace::new(&mesh, at.degree),
-            Lagrange::new(&mesh, at.test),
-        );
-        let pair = Pair::<N>::new(at, draw, &regge, &space);
-        let b = values(b_h_with::<K, f64, N, _, _>(
-            &pair.g,
-            &pair.sigma,
-            &space,
-            &pair.rules,
-        ));
-        let wrong =
-            b_h_with::<InteriorFaces, f64, N, _, _>(&pair.g, &pair.sigma, &space, &pair.rules);
-        let terms = [
-            (DIV_DIV, pair.div_div::<K>()),
-            (FLUX, minus(&pair.faces::<K>(false, FaceTerms::flux))),
-            (TURN, minus(&pair.hinges::<K>(false))),
-            (HESSIAN, b.t),
-            (NORMAL, b.f),
-        ];
-        let on = |tested: Tested| {
-            terms
-                .iter()
-                .map(|(n, v)| (*n, tested.of(&space, v)))
-                .collect::<Vec<_>>()
-        };
-        let turn = Tested::Inner.of(&space, &terms[2].1);
-        let flat = at.degree == 0;
-        vec![
-            equation(on(Tested::Inner), flat)
-                .forge("the printed sign of τ", TURN, minus(&turn))
-                .forge(
-                    "b_h over interior faces only",
-                    NORMAL,
-                    Tested::Inner.of(&space, &wrong.face),
-                )
-                .vacuous(at.shape.is_closed(), "there is no boundary")
-                .forge_terms("v ≠ 0 on ∂Ω", on(Tested::Outer))
-                .vacuous(at.shape.is_closed(), "there is no boundary"),
-        ]
+        with_pair::<_, N>(at, draw, |pair| {
+            let terms = terms::<K, N>(pair, Where::Interior);
+            let on = |tested: Tested| -> Vec<(&'static str, Vec<f64>)> {
+                let all = terms.iter();
+                all.map(|(n, v)| (*n, tested.of(pair.space, v))).collect()
+            };
+            let inner = |v: &[f64]| Tested::Inner.of(pair.space, v);
+            let (closed, open) = (at.shape.is_closed(), "there is no boundary");
+            let wrong = inner(&pair.b::<InteriorFaces>().f);
+            vec![
+                equation(on(Tested::Inner), at.degree == 0)
+                    .forge("the printed sign of τ", TURN, minus(&inner(&terms[2].1)))
+                    .forge("b_h over interior faces only", NORMAL, wrong)
+                    .vacuous(closed, open)
+                    .forge_terms("v ≠ 0 on ∂Ω", on(Tested::Outer))
+                    .vacuous(closed, open),
+            ]
+        })
     }
+}
+
+/// The five terms, with σ's derivatives on the interior faces and hinges, or on all.
+fn terms<K: Formulas, const N: usize>(
+    pair: &Pair<'_, N>,
+    on: Where,
+) -> Vec<(&'static str, Vec<f64>)> {
+    let b = pair.b::<K>();
+    vec![
+        (DIV_DIV, pair.div_div::<K>()),
+        (FLUX, minus(&pair.faces::<K>(on, FaceTerms::flux))),
+        (TURN, minus(&pair.turned::<K>(on))),
+        (HESSIAN, b.t),
+        (NORMAL, b.f),
+    ]
 }
 
 /// Three terms on the left, two on the right.
@@ -118,7 +108,10 @@ impl OnMesh for T04 {
             \bigl((\operatorname{div}\mathbb{S}\sigma)(n)+\operatorname{div}_F(\sigma(n,\cdot))-H\sigma(n,n)\bigr)v\omega_F
             - \sum_{S}\int_S\sum_{F\supset S}\sigma(n,\tau)v\omega_S = \int_T\langle\mathbb{S}\sigma,\nabla\nabla v\rangle\omega
             - \sum_F\int_F\mathbb{S}\sigma(n,n)\nabla_n v\,\omega_F",
-        sides: "Left: derivatives of σ and none of v, boundary included. Right: the production b_h on a mesh of one cell.",
+        sides: "Left: derivatives of σ and none of v, boundary included. Right: the production b_h on a mesh of one cell: \
+            derivatives of v and none of σ. Exactly: g = LLᵀ with L unipotent and affine, which is curved, and v = (∏_F q_F)²w \
+            with q_F = ν·g⁻¹ν, so that every integrand is a polynomial and is integrated without error. τ points into F; the \
+            paper prints + for the sum over S, a forgery here.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -127,33 +120,17 @@ impl OnMesh for T04 {
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (
-            ReggeSpace::new(&mesh, at.degree),
-            Lagrange::new(&mesh, at.test),
-        );
-        let pair = Pair::<N>::new(at, draw, &regge, &space);
-        let b = values(b_h_with::<K, f64, N, _, _>(
-            &pair.g,
-            &pair.sigma,
-            &space,
-            &pair.rules,
-        ));
-        let turned = pair.hinges::<K>(true);
-        let without_h = pair.faces::<K>(true, |q| q.div_s + q.div_f);
-        let terms = vec![
-            (DIV_DIV, pair.div_div::<K>()),
-            (FLUX, minus(&pair.faces::<K>(true, FaceTerms::flux))),
-            (TURN, minus(&turned)),
-            (HESSIAN, b.t),
-            (NORMAL, b.f),
-        ];
-        vec![
-            equation(terms, at.degree == 0)
-                .forge("the printed sign of τ", TURN, turned)
-                .forge("without Hσ(n,n)", FLUX, minus(&without_h))
-                .vacuous(at.degree == 0, FLAT),
-        ]
+        with_pair::<_, N>(at, draw, |pair| {
+            let terms = terms::<K, N>(pair, Where::Everywhere);
+            let turned = minus(&terms[2].1);
+            let without_h = pair.faces::<K>(Where::Everywhere, |q| -q.div_s - q.div_f);
+            vec![
+                equation(terms, at.degree == 0)
+                    .forge("the printed sign of τ", TURN, turned)
+                    .forge("without Hσ(n,n)", FLUX, without_h)
+                    .vacuous(at.degree == 0, FLAT),
+            ]
+        })
     }
 }
 
@@ -168,7 +145,8 @@ impl OnMesh for T03 {
         statement: r"\int_T\langle\mathbb{S}\sigma,\nabla\nabla v\rangle\omega = \int_{\partial T}\mathbb{S}\sigma(n,\nabla v)
             - \int_T(\operatorname{div}\mathbb{S}\sigma)(\nabla v)\omega = \int_{\partial T}\mathbb{S}\sigma(n,\nabla v) -
             \int_{\partial T}(\operatorname{div}\mathbb{S}\sigma)(n)v + \int_T(\operatorname{div}\operatorname{div}\mathbb{S}\sigma)v\omega",
-        sides: "Left: the production b_h's cell term. Right: no second derivatives of v, then no derivatives of v in the cell.",
+        sides: "Left: second derivatives of v, in the production b_h's cell term. Right: no second derivatives of v, then no \
+            derivatives of v in the cell. Exactly as T04.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -177,35 +155,26 @@ impl OnMesh for T03 {
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let (regge, space) = (
-            ReggeSpace::new(&mesh, at.degree),
-            Lagrange::new(&mesh, at.test),
-        );
-        let pair = Pair::<N>::new(at, draw, &regge, &space);
-        let b = values(b_h_with::<K, f64, N, _, _>(
-            &pair.g,
-            &pair.sigma,
-            &space,
-            &pair.rules,
-        ));
-        let (normal, flat) = (pair.normal_gradient::<K>(), at.degree == 0);
-        let flux = |q: fn(&FaceTerms) -> f64| minus(&pair.faces::<K>(true, q));
-        vec![
-            Equation::new("once")
-                .left("∫⟨𝕊σ,∇∇v⟩ω", b.t.clone())
-                .right("∫_∂T 𝕊σ(n,∇v)", normal.clone())
-                .right("−∫(div 𝕊σ)(∇v)ω", pair.div_gradient::<K>())
-                .vanishes(flat, FLAT),
-            Equation::new("twice")
-                .left("∫⟨𝕊σ,∇∇v⟩ω", b.t)
-                .right("∫_∂T 𝕊σ(n,∇v)", normal)
-                .right("−∫_∂T (div 𝕊σ)(n)v", flux(|q| q.div_s))
-                .vanishes(flat, FLAT)
-                .right("∫(div div 𝕊σ)vω", pair.div_div::<K>())
-                .vanishes(flat, FLAT)
-                .forge("div for div 𝕊", "−∫_∂T (div 𝕊σ)(n)v", flux(|q| q.div))
-                .vacuous(flat, FLAT),
-        ]
+        let flat = at.degree == 0;
+        with_pair::<_, N>(at, draw, |pair| {
+            let (hessian, normal) = (pair.b::<K>().t, pair.normal_gradient::<K>());
+            let flux = |q: fn(&FaceTerms) -> f64| minus(&pair.faces::<K>(Where::Everywhere, q));
+            vec![
+                Equation::new("once")
+                    .left("∫⟨𝕊σ,∇∇v⟩ω", hessian.clone())
+                    .right("∫_∂T 𝕊σ(n,∇v)", normal.clone())
+                    .right("−∫(div 𝕊σ)(∇v)ω", pair.div_gradient::<K>())
+                    .vanishes(flat, FLAT),
+                Equation::new("twice")
+                    .left("∫⟨𝕊σ,∇∇v⟩ω", hessian)
+                    .right("∫_∂T 𝕊σ(n,∇v)", normal)
+                    .right("−∫_∂T (div 𝕊σ)(n)v", flux(|q| q.div_s))
+                    .vanishes(flat, FLAT)
+                    .right("∫(div div 𝕊σ)vω", pair.div_div::<K>())
+                    .vanishes(flat, FLAT)
+                    .forge("div for div 𝕊", "−∫_∂T (div 𝕊σ)(n)v", flux(|q| q.div))
+                    .vacuous(flat, FLAT),
+            ]
+        })
     }
 }

@@ -1,16 +1,11 @@
 //! M05: the first variation of the distributional scalar curvature.
 
-use super::fields::{
-    HalfTrace, InteriorFaces, PlainSecondForm, Tested, Three, metric, minus, moving, rates, times,
-    values, variation,
-};
-use super::setting::{Draw, OnMesh, QUADRATURE, Setting, Shape, grid};
+use super::evolution::{Evolution, Moving};
+use super::fields::{HalfTrace, InteriorFaces, PlainSecondForm, Tested, Three, minus, times};
+use super::setting::{QUADRATURE, Setting, Shape, grid};
 use crate::claim::{Equation, Judgement, Record};
-use num_dual::Dual64;
 use regge::formulas::Formulas;
-use regge::functional::{Rules, a_h_with, b_h_with, distributional_curvature_with};
 use regge::lagrange::Lagrange;
-use regge::regge::ReggeSpace;
 
 /// The cases of the integral identities that only quadrature keeps apart.
 pub fn everywhere(dimension: usize, quick: bool) -> Vec<Setting> {
@@ -44,28 +39,28 @@ pub fn orders(dimension: usize) -> [usize; 3] {
 }
 
 /// What both sides of thm:distcurvdot are made of, for some test functions.
-pub struct Sides {
+struct Sides {
     /// d/dt of the three sums of ⟨(Rω)_dist(g + tσ), v⟩.
-    pub rate: Three,
+    rate: Three,
     /// b_h(g; σ, v).
-    pub b: Three,
+    b: Three,
     /// a_h(g; σ, v).
-    pub a: Three,
+    a: Three,
 }
 
 /// d/dt⟨(Rω)_dist, v⟩ = b_h − a_h.
 pub struct M05;
 
-impl OnMesh for M05 {
+impl Evolution for M05 {
     const RECORD: Record = Record {
         label: "M05",
         paper: &["thm:distcurvdot", "distcurvdot", "distcurvdotintro"],
         title: "The first variation of the distributional scalar curvature",
         statement: r"\frac{d}{dt}\langle (R\omega)_{\rm dist}(g(t)), v\rangle = b_h(g;\sigma,v) - a_h(g;\sigma,v)
             \qquad \forall v \in V",
-        sides: "Left: the functional of def:distcurv (Ricci's formula, H, dihedral angles) over dual numbers. Right: b_h \
-            has second derivatives of v and none of σ, a_h has G, II‾ and Θ at t = 0. They agree in the limit of exact \
-            quadrature.",
+        sides: "Left: the functional of def:distcurv (Ricci's formula, H, dihedral angles) of g + tσ. Right: b_h has second \
+            derivatives of v and none of σ, a_h has G, II‾ and Θ without a derivative in t. They agree in the limit of exact \
+            quadrature, and no integral of one side is one of the other. Both use R, H and Θ, the left their change and the right their values, which D11 pins down.",
     };
     const JUDGEMENT: Judgement = QUADRATURE;
 
@@ -73,25 +68,17 @@ impl OnMesh for M05 {
         everywhere(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let mesh = at.shape.mesh::<N>();
-        let regge = ReggeSpace::new(&mesh, at.degree);
-        let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
-        let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
-        let rate =
-            distributional_curvature_with::<K, Dual64, N, _>(&moving(&g, &sigma), &space, &rules);
-        let all = Sides {
-            rate: rates(&rate),
-            b: values(b_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules)),
-            a: values(a_h_with::<K, f64, N, _, _>(&g, &sigma, &space, &rules)),
-        };
+    fn equations<K: Formulas, const N: usize>(
+        at: &Setting,
+        m: &Moving<'_, N>,
+    ) -> Vec<Equation<f64>> {
+        let (rate, b, a) = (m.rate.clone(), m.at.b::<K>(), m.at.a::<K>());
         let wrong = Wrong {
-            b_f: b_h_with::<InteriorFaces, f64, N, _, _>(&g, &sigma, &space, &rules).face,
-            b_t: b_h_with::<HalfTrace, f64, N, _, _>(&g, &sigma, &space, &rules).element,
-            a_f: a_h_with::<PlainSecondForm, f64, N, _, _>(&g, &sigma, &space, &rules).face,
+            b_f: m.at.b::<InteriorFaces>().f,
+            b_t: m.at.b::<HalfTrace>().t,
+            a_f: m.at.a::<PlainSecondForm>().f,
         };
-        vec![wrong.forge(&all, &space, at)]
+        vec![wrong.forge(&Sides { rate, b, a }, m.at.space, at)]
     }
 }
 
@@ -110,6 +97,7 @@ impl Wrong {
         at: &Setting,
     ) -> Equation<f64> {
         let inner = |v: &[f64]| Tested::Inner.of(space, v);
+        let half = |v: &[f64]| times(0.5, &inner(v));
         let (flat, closed) = (at.degree == 0, at.shape.is_closed());
         all.on(Tested::Inner, space)
             .equation(N, at.degree)
@@ -118,17 +106,9 @@ impl Wrong {
             .forge("II for II‾", A_F, minus(&inner(&self.a_f)))
             .vacuous(flat, FLAT)
             .forge("𝕊 with ½", B_T, inner(&self.b_t))
-            .forge(
-                "factor 1 of the face sum",
-                R_F,
-                times(0.5, &inner(&all.rate.f)),
-            )
+            .forge("factor 1 of the face sum", R_F, half(&all.rate.f))
             .vacuous(flat, FLAT)
-            .forge(
-                "factor 1 of the hinge sum",
-                R_S,
-                times(0.5, &inner(&all.rate.s)),
-            )
+            .forge("factor 1 of the hinge sum", R_S, half(&all.rate.s))
             .forge_terms("v ≠ 0 on ∂Ω", all.on(Tested::Outer, space).terms())
             .vacuous(closed, "there is no boundary")
     }
@@ -138,6 +118,11 @@ impl Wrong {
 pub const FLAT: &str = "g is constant on cells";
 /// Why the forms on hinges vanish when N = 2.
 pub const POINTS: &str = "hinges are points when N = 2";
+/// Why G vanishes.
+pub const NO_G: &str = "G = 0 when N = 2, or g is constant on cells";
+/// Why II‾ vanishes.
+pub const NO_II: &str = "II‾ = 0 when N = 2, or g is constant on cells";
+
 const R_T: &str = "d/dt Σ_T ∫Rvω";
 const R_F: &str = "d/dt 2Σ̊_F ∫⟦H⟧vω_F";
 const R_S: &str = "d/dt 2Σ̊_S ∫Θvω_S";
@@ -149,7 +134,7 @@ const A_S: &str = "Σ̊_S ∫Θ Tr(σ|_S)vω_S";
 
 impl Sides {
     /// For these test functions.
-    pub fn on<const N: usize>(&self, tested: Tested, space: &Lagrange<'_, N>) -> Self {
+    fn on<const N: usize>(&self, tested: Tested, space: &Lagrange<'_, N>) -> Self {
         Self {
             rate: tested.of_sums(space, &self.rate),
             b: tested.of_sums(space, &self.b),
@@ -172,30 +157,24 @@ impl Sides {
     }
 
     /// The theorem.
-    pub fn equation(&self, dimension: usize, degree: usize) -> Equation<f64> {
-        let mut terms = self.terms().into_iter();
-        let mut next = || terms.next().unwrap_or_default();
-        let (constant, surface) = (degree == 0, dimension == 2);
+    fn equation(&self, dimension: usize, degree: usize) -> Equation<f64> {
+        let (flat, surface) = (degree == 0, dimension == 2);
         let mut equation = Equation::new("d/dt⟨(Rω)_dist,v⟩ = b_h − a_h");
-        for vanishes in [constant, constant, false] {
-            let (name, value) = next();
-            equation = equation.left(name, value).vanishes(vanishes, FLAT);
-        }
-        for (vanishes, why) in [
-            (false, ""),
-            (false, ""),
-            (
-                constant || surface,
-                "G = 0 when N = 2, or g is constant on cells",
-            ),
-            (
-                constant || surface,
-                "II‾ = 0 when N = 2, or g is constant on cells",
-            ),
-            (surface, POINTS),
-        ] {
-            let (name, value) = next();
-            equation = equation.right(name, value).vanishes(vanishes, why);
+        for (name, value) in self.terms() {
+            let left = [R_T, R_F, R_S].contains(&name);
+            let (vanishes, why) = match name {
+                R_T | R_F => (flat, FLAT),
+                A_T => (flat || surface, NO_G),
+                A_F => (flat || surface, NO_II),
+                A_S => (surface, POINTS),
+                _ => (false, ""),
+            };
+            equation = if left {
+                equation.left(name, value)
+            } else {
+                equation.right(name, value)
+            };
+            equation = equation.vanishes(vanishes, why);
         }
         equation
     }
