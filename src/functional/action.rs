@@ -96,7 +96,7 @@ pub fn action_hessian<const N: usize>(
     let defects = signed_defects(g);
     let moving = Moving::new(g);
     let first = Wedges::<Dual64, N, _>::new(&moving.field, &moving.rule);
-    let twice = along_two(g, [0, 0], [0.0, 0.0]);
+    let twice = along_two(g, [0, 0]);
     let second = Wedges::<HyperDual64, N, _>::new(&twice, &moving.rule);
     let mut entries = Vec::new();
     let on_cell = |cell: usize| {
@@ -222,13 +222,17 @@ impl<'a, 's, const N: usize> Moving<'a, 's, N> {
         for i in 0..edges.len() {
             for j in 0..edges.len() {
                 let pair = [edges[i] as usize, edges[j] as usize];
-                let local = along_two(self.g, pair, [lengths[i], lengths[j]]).on_cell(cell);
+                let local = along_two(self.g, pair).on_cell(cell);
                 let mut sum = 0.0;
                 for (place, defect) in defects.iter().enumerate() {
-                    sum -= derivatives.angles[j][place] * derivatives.volumes[i][place];
+                    let grown = derivatives.volumes[i][place];
+                    sum -= derivatives.angles[j][place] * grown;
                     if *defect != 0.0 {
                         let (_, omega_s) = wedges.at(&local, place, 0);
-                        sum += defect * (omega_s * wedges.weights[0]).eps1eps2;
+                        // From squared lengths to lengths: (ℓ²)′ = 2ℓ and (ℓ²)″ = 2.
+                        let mixed = (omega_s * wedges.weights[0]).eps1eps2;
+                        let bent = if i == j { grown / lengths[i] } else { 0.0 };
+                        sum += defect * (4.0 * lengths[i] * lengths[j] * mixed + bent);
                     }
                 }
                 entries.push((pair[0], pair[1], sum));
@@ -238,23 +242,20 @@ impl<'a, 's, const N: usize> Moving<'a, 's, N> {
     }
 }
 
-/// A metric with two moving lengths.
+/// g + ε₁ ψ_i + ε₂ ψ_j: a metric two of whose squared lengths move.
 type AlongTwo<'a, 's, const N: usize> = Combination<
     Combination<&'a ReggeFunction<'s, f64, N>, BasisFunction<'s, N>, HyperDual64>,
     BasisFunction<'s, N>,
     HyperDual64,
 >;
 
-/// (ℓ_i + ε₁)² and (ℓ_j + ε₂)², or (ℓ_i + ε₁ + ε₂)² where they are one.
 fn along_two<'a, 's, const N: usize>(
     g: &'a ReggeFunction<'s, f64, N>,
     [i, j]: [usize; 2],
-    [a, b]: [f64; 2],
 ) -> AlongTwo<'a, 's, N> {
     let (one, space) = (HyperDual64::from(1.0), g.space());
-    let mixed = if i == j { 2.0 } else { 0.0 };
-    let first = HyperDual64::new(0.0, 2.0 * a, 0.0, mixed);
-    let second = HyperDual64::new(0.0, 0.0, 2.0 * b, 0.0);
+    let first = HyperDual64::new(0.0, 1.0, 0.0, 0.0);
+    let second = HyperDual64::new(0.0, 0.0, 1.0, 0.0);
     let inner = Combination::new(one, g, first, BasisFunction::new(space, i));
     Combination::new(one, inner, second, BasisFunction::new(space, j))
 }

@@ -121,9 +121,12 @@ fn groups_are_kept_in_json_and_vtu() {
         .iter()
         .filter_map(Value::as_f64)
         .collect();
-    assert_eq!(cells, listed);
+    // JSON is read back to the last place but one.
+    let same = |a: f64, b: f64| (a - b).abs() <= 1e-15 * a.abs();
+    assert_eq!(cells.len(), listed.len());
+    assert!(cells.iter().zip(&listed).all(|(a, b)| same(*a, *b)));
     let total = doubles(&folder.join("f.vtu"), "sum_total");
-    assert_eq!(total[4], number(&found["vertices"][0], "total"));
+    assert!(same(total[4], number(&found["vertices"][0], "total")));
     assert!(
         total[..4].iter().all(|x| x.is_nan()),
         "nothing is tested on the boundary"
