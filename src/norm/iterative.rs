@@ -32,6 +32,8 @@ impl<const N: usize> Iterative<N> {
         (2..=3).contains(&N) && Lattice::of(hhj.mesh()).is_some()
     }
 
+    /// Sets up the preconditioner for a discretisation.
+    ///
     /// # Errors
     /// If the mesh is not a cube's or N > 3, or a block of the operator is not positive definite.
     pub fn new(hhj: &Hhj<'_, N>) -> Result<Self, Error> {

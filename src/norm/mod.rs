@@ -22,7 +22,7 @@ mod cycle;
 mod direct;
 mod dissection;
 mod element;
-mod factor;
+pub(crate) mod factor;
 mod hhj;
 mod iterative;
 mod jacobi;

@@ -7,11 +7,13 @@
 //! simplex with vertices {a, b} ∪ supp α, and a global vector of such coefficients is a Regge function. For r = 0
 //! they are the squared edge lengths.
 
+mod basis;
 mod canonical;
 mod geodesic;
 mod hierarchical;
 mod interpolate;
 
+pub use basis::BasisFunction;
 pub use canonical::Canonical;
 pub use geodesic::{geodesic_interpolant, geodesic_length};
 pub use interpolate::{Interpolant, Projection};
@@ -82,6 +84,12 @@ impl<'m, const N: usize> ReggeSpace<'m, N> {
     pub fn cell_dof(&self, cell: usize, edge: usize, alpha: usize) -> usize {
         self.numbering
             .of_cell(self.mesh, cell, self.slots[edge][alpha])
+    }
+
+    /// Where the coefficients of the q_ab on the subsimplex with these local vertices of a cell are numbered, by edge of
+    /// the subsimplex, then by α.
+    pub fn trace_slots(&self, vertices: &[usize]) -> Vec<Slot> {
+        slots_on(vertices, N, self.degree).concat()
     }
 
     /// The function with these coefficients.

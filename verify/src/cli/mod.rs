@@ -1,12 +1,16 @@
 //! The command line: arguments in, tables, files and exit codes out. Only here is anything printed.
 
+mod action;
 mod converge;
 mod curvature;
+mod einstein;
+mod given;
 mod job;
 mod journal;
 mod memory;
 mod notes;
 mod output;
+mod phases;
 mod picture;
 mod progress;
 mod reproduce;
@@ -29,7 +33,9 @@ Examples:
   regge reproduce table2 --rows t2.jsonl  all of it, to 1.5 million cells; --resume goes on after a kill
   regge reproduce figure2                 the critical term, averaged and canonical interpolant
   regge converge --metric trig --dimension 3 --degree 1 --levels 0..=3 --plot trig.svg
-  regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json
+  regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json --vtu c.vtu --plot c.svg
+  regge einstein --mesh m.msh --lengths l.csv --json e.json
+  regge action --mesh m.msh --lengths l.csv --csv gradient.csv
 
 Exit codes: 0 done, 1 a computation or a file failed, 2 bad arguments.";
 
@@ -49,7 +55,9 @@ enum Command {
     Converge(converge::Args),
     #[cfg(feature = "catalogue")]
     Verify(verify::Args),
-    Curvature(curvature::Args),
+    Curvature(Box<curvature::Args>),
+    Einstein(einstein::Args),
+    Action(action::Args),
 }
 
 /// Runs the command line of this process.
@@ -87,6 +95,8 @@ fn run(command: Command) -> Result<(), Stop> {
         #[cfg(feature = "catalogue")]
         Command::Verify(args) => args.run(),
         Command::Curvature(args) => args.run(),
+        Command::Einstein(args) => args.run(),
+        Command::Action(args) => args.run(),
     }
 }
 
