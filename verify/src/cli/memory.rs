@@ -10,7 +10,7 @@ const GIB: f64 = (1u64 << 30) as f64;
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// Refuse what is estimated to need more memory than this [default: what the system says is available]
-    #[arg(long, value_name = "GIB", value_parser = positive)]
+    #[arg(long, value_name = "GIB", allow_negative_numbers = true, value_parser = positive)]
     memory_limit: Option<f64>,
 }
 
