@@ -205,7 +205,7 @@ impl OnMesh for FromFlat {
             .right(names[1], bend)
             .magnitude(size)
             .forge("the printed sign of τ", names[0], -turn);
-        for (points, name) in too_few(N) {
+        for (points, name) in too_few(at, N) {
             let coarse = Self::integrals::<K, N>([&from, &to], points);
             let both = names.into_iter().zip(coarse.map(|x| vec![x]));
             equation = equation.forge_terms(name, both.collect()).somewhere();

@@ -58,7 +58,7 @@ impl<K: Formulas, const N: usize> Ends<'_, K, N> {
     }
 
     /// ⟨(Rω)_dist(g_h), v⟩ − ⟨(Rω)(g), v⟩ = ∫ b_h − ∫ a_h; with fewer points in t it must not hold.
-    fn equation(&self) -> Equation<f64> {
+    fn equation(&self, at: &Setting) -> Equation<f64> {
         let (space, rules) = (self.space, &self.rules);
         let to = distributional_curvature_with::<K, f64, N, _>(self.g_h, space, rules).total();
         let from = smooth_curvature::<f64, N, _>(self.g, space, &rules.element);
@@ -70,7 +70,7 @@ impl<K: Formulas, const N: usize> Ends<'_, K, N> {
             .right("−∫a_h dt", a)
             .vanishes(N == 2, NONE);
         // The margins show how fast it converges in t.
-        for (points, name) in too_few(N) {
+        for (points, name) in too_few(at, N) {
             let [b, a] = self.integral(points);
             equation = equation
                 .forge_terms(name, vec![("∫b_h dt", b), ("−∫a_h dt", a)])
@@ -185,7 +185,7 @@ impl OnMesh for M06 {
     }
 
     fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        one::<K, N>(at, draw, |ends| ends.equation())
+        one::<K, N>(at, draw, |ends| ends.equation(at))
     }
 }
 
