@@ -13,7 +13,7 @@ use crate::Error;
 /// Conjugate gradients for meshes that [`crate::mesh::Mesh::cube`] made, with inner vertices moved or not. Nothing of the
 /// operator is stored; its bits do not depend on the number of threads.
 ///
-/// The preconditioner is the sum of the inverse diagonal blocks, one a simplex, and a correction in cubic splines.
+/// The preconditioner smooths by the inverse diagonal blocks, one a simplex, corrects in cubic splines and smooths again.
 #[derive(Debug)]
 pub struct Iterative<const N: usize> {
     operator: Operator,
