@@ -13,6 +13,7 @@ use crate::scalar::{Algebraic, Field};
 /// The geometric formulas and constants of def:distcurv and thm:distcurvdot.
 pub trait Formulas: Sync + 'static {
     /// II. See [`hypersurface::second_form`].
+    #[inline]
     fn second_form<J: Jet<N>, const N: usize>(
         connection: &Connection<J::Lower, N>,
         nu: &Vector<J, N>,
@@ -22,11 +23,13 @@ pub trait Formulas: Sync + 'static {
     }
 
     /// (sin θ, cos θ) of the dihedral angle, up to a positive factor. See [`Hinge::dihedral`].
+    #[inline]
     fn dihedral<F: Algebraic, const N: usize>(hinge: &Hinge<F, N>) -> (F, F) {
         hinge.dihedral()
     }
 
     /// II‾. See [`hypersurface::trace_reversed`].
+    #[inline]
     fn trace_reversed<F: Field, const N: usize>(
         g: &Mat<F, N>,
         second_form: &Mat<F, N>,
@@ -36,6 +39,7 @@ pub trait Formulas: Sync + 'static {
     }
 
     /// 𝕊σ. See [`crate::riemann::reverse_trace`].
+    #[inline]
     fn reverse_trace<F: Field, const N: usize>(
         g: &Mat<F, N>,
         inverse: &Mat<F, N>,
@@ -45,16 +49,19 @@ pub trait Formulas: Sync + 'static {
     }
 
     /// The factor of the face sum in def:distcurv.
+    #[inline]
     fn face_factor<F: Field>() -> F {
         F::from_int(2)
     }
 
     /// The factor of the hinge sum in def:distcurv.
+    #[inline]
     fn hinge_factor<F: Field>() -> F {
         F::from_int(2)
     }
 
     /// Does a face belong to the face sum of b_h? All do, those of the boundary too.
+    #[inline]
     fn face_in_b(_interior: bool) -> bool {
         true
     }

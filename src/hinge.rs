@@ -3,7 +3,7 @@
 //! The faces are given by their outward covectors ν_a = −dλ_a and ν_b = −dλ_b; all quantities follow from the three
 //! products g^aa = ν_a·g⁻¹ν_a, g^ab, g^bb. The metric's derivatives do not enter.
 
-use crate::linalg::{Mat, Vector, apply, contract, form};
+use crate::linalg::{Mat, Vector, apply, contract, form, vector};
 use crate::scalar::{Algebraic, Field};
 
 /// Two faces of a cell and the metric at a point of their hinge.
@@ -21,8 +21,9 @@ pub struct Hinge<F: Field, const N: usize> {
 
 impl<F: Field, const N: usize> Hinge<F, N> {
     /// From g⁻¹ at the point and the two outward covectors.
+    #[inline]
     pub fn new(inverse: &Mat<F, N>, nu: [&Vector<F, N>; 2]) -> Self {
-        let raised = nu.map(|nu| apply(inverse, nu));
+        let raised = [apply(inverse, nu[0]), apply(inverse, nu[1])];
         let squares = [contract(nu[0], &raised[0]), contract(nu[1], &raised[1])];
         let product = contract(nu[0], &raised[1]);
         Self {
@@ -34,6 +35,7 @@ impl<F: Field, const N: usize> Hinge<F, N> {
     }
 
     /// Tr(σ|_S) = Tr σ − [g^bb σ(ν_a,ν_a) − 2 g^ab σ(ν_a,ν_b) + g^aa σ(ν_b,ν_b)]/gram, the ν raised.
+    #[inline]
     pub fn trace(&self, inverse: &Mat<F, N>, sigma: &Mat<F, N>) -> F {
         let [a, b] = &self.raised;
         let mixed = self.product * form(sigma, a, b);
@@ -46,29 +48,33 @@ impl<F: Algebraic, const N: usize> Hinge<F, N> {
     /// (sin θ, cos θ) of the dihedral angle θ_ST ∈ (0, π), times √(g^aa g^bb): cos θ = −g(n_a, n_b).
     ///
     /// Paper: section 3.
+    #[inline]
     pub fn dihedral(&self) -> (F, F) {
         (self.gram.sqrt(), -self.product)
     }
 
     /// ω_S relative to the coordinate measure of {λ_a = λ_b = 0}: √(gram · det g). It is 1 when N = 2.
+    #[inline]
     pub fn omega_s(&self, det: F) -> F {
         (self.gram * det).sqrt()
     }
 
     /// The outward unit normal of face 0 (a) or 1 (b).
+    #[inline]
     pub fn normal(&self, face: usize) -> Vector<F, N> {
         let scale = F::one() / self.squares[face].sqrt();
-        self.raised[face].map(|x| x * scale)
+        vector(|i| self.raised[face][i] * scale)
     }
 
     /// τ: the unit vector that points from S into face 0 (a) or 1 (b), orthogonal to S and to the face's normal.
     ///
     /// The outward conormal of the face along S is ν_F = −τ. Paper: lemma:angledefectdot prints τ where −τ
     /// belongs.
+    #[inline]
     pub fn conormal(&self, face: usize) -> Vector<F, N> {
         let (own, other) = (self.squares[face], 1 - face);
         let slope = self.product / own;
         let scale = F::one() / (self.gram / own).sqrt();
-        Vector::from_fn(|i, _| (slope * self.raised[face][i] - self.raised[other][i]) * scale)
+        vector(|i| (slope * self.raised[face][i] - self.raised[other][i]) * scale)
     }
 }

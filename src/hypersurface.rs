@@ -6,7 +6,7 @@
 //! P^ij = g^ij − nⁱnʲ of the inverse metric. n → −n with ν → −ν.
 
 use crate::jet::Jet;
-use crate::linalg::{Mat, Vector, apply, contract, double_contract, symmetric};
+use crate::linalg::{Mat, Vector, apply, contract, double_contract, matrix, symmetric, vector};
 use crate::riemann::{Connection, inner};
 use crate::scalar::{Algebraic, Field};
 
@@ -23,11 +23,12 @@ pub struct Normal<F: Field, const N: usize> {
 
 impl<F: Algebraic, const N: usize> Normal<F, N> {
     /// n = g⁻¹ν/√(ν·g⁻¹ν). Paper: eq. (normal).
+    #[inline]
     pub fn new(inverse: &Mat<F, N>, nu: &Vector<F, N>) -> Self {
         let raised = apply(inverse, nu);
         let length = contract(nu, &raised).sqrt();
         let scale = F::one() / length;
-        let n = raised.map(|x| x * scale);
+        let n = vector(|i| raised[i] * scale);
         Self {
             n,
             length,
@@ -38,16 +39,19 @@ impl<F: Algebraic, const N: usize> Normal<F, N> {
 
 impl<F: Field, const N: usize> Normal<F, N> {
     /// Tr(σ|_F) = P^ij σ_ij.
+    #[inline]
     pub fn trace(&self, sigma: &Mat<F, N>) -> F {
         double_contract(&self.tangential, sigma)
     }
 
     /// ⟨α, σ|_F⟩ over F.
+    #[inline]
     pub fn inner(&self, alpha: &Mat<F, N>, sigma: &Mat<F, N>) -> F {
         inner(&self.tangential, alpha, sigma)
     }
 
     /// σ(n, n).
+    #[inline]
     pub fn normal_normal(&self, sigma: &Mat<F, N>) -> F {
         crate::linalg::form(sigma, &self.n, &self.n)
     }
@@ -56,16 +60,20 @@ impl<F: Field, const N: usize> Normal<F, N> {
 /// II(X, Y) = g(∇_X n, Y) = (∇_X ν)(Y)/|ν| for X, Y tangent to F; positive on a sphere with outward normal.
 ///
 /// Paper: section 2.2.
+#[inline]
 pub fn second_form<J: Jet<N>, const N: usize>(
     connection: &Connection<J::Lower, N>,
     nu: &Vector<J, N>,
     normal: &Normal<J::Lower, N>,
 ) -> Mat<J::Lower, N> {
     let scale = J::Lower::one() / normal.length;
-    connection.nabla_covector(nu).map(|x| x * scale)
+    let mut second_form = connection.nabla_covector(nu);
+    second_form.iter_mut().for_each(|x| *x *= scale);
+    second_form
 }
 
 /// H = Tr II; (N−1)/ρ on the sphere of radius ρ.
+#[inline]
 pub fn mean_curvature<F: Field, const N: usize>(
     normal: &Normal<F, N>,
     second_form: &Mat<F, N>,
@@ -74,15 +82,17 @@ pub fn mean_curvature<F: Field, const N: usize>(
 }
 
 /// II‾ = II − H g. Paper: prop:Homegadot.
+#[inline]
 pub fn trace_reversed<F: Field, const N: usize>(
     g: &Mat<F, N>,
     second_form: &Mat<F, N>,
     mean_curvature: F,
 ) -> Mat<F, N> {
-    Mat::from_fn(|i, j| second_form[(i, j)] - mean_curvature * g[(i, j)])
+    matrix(|i, j| second_form[(i, j)] - mean_curvature * g[(i, j)])
 }
 
 /// div_F α = Σ (∇_τ α)(τ) = P^ij (∇_i α)_j; needs α along F only.
+#[inline]
 pub fn surface_div<J: Jet<N>, const N: usize>(
     connection: &Connection<J::Lower, N>,
     normal: &Normal<J::Lower, N>,
@@ -92,6 +102,7 @@ pub fn surface_div<J: Jet<N>, const N: usize>(
 }
 
 /// ω_F relative to the coordinate measure of {λ_f = 0}, for ν = ∓dλ_f: √(ν·g⁻¹ν det g).
+#[inline]
 pub fn omega_f<F: Algebraic, const N: usize>(
     connection: &Connection<F, N>,
     nu: &Vector<F, N>,
@@ -101,8 +112,9 @@ pub fn omega_f<F: Algebraic, const N: usize>(
 }
 
 /// −dλ_f in reference coordinates, which points out of the cell across the face opposite to vertex f.
+#[inline]
 pub fn outward<F: Field, const N: usize>(opposite: usize) -> Vector<F, N> {
-    Vector::from_fn(|i, _| match opposite {
+    vector(|i| match opposite {
         0 => F::one(),
         f if f == i + 1 => -F::one(),
         _ => F::zero(),

@@ -56,6 +56,11 @@ impl<'m, const N: usize> Lagrange<'m, N> {
         Bernstein::new(k + 1, self.degree)
     }
 
+    /// How many basis functions live on a cell.
+    pub fn cell_len(&self) -> usize {
+        self.slots.len()
+    }
+
     /// The global indices of the basis functions on a cell.
     pub fn cell_dofs(&self, cell: usize) -> impl Iterator<Item = usize> + '_ {
         self.slots

@@ -10,6 +10,99 @@
 //! interior hinges (simplices of codimension 2). This crate computes it, its first variation b_h − a_h, and the
 //! distributional Einstein tensor.
 //!
+//! # Tutorial
+//!
+//! **A mesh** is a list of cells; points are optional. Cells may be given in any order and with any orientation; what is
+//! no manifold is refused by name.
+//!
+//! ```
+//! use nalgebra::vector;
+//! use regge::mesh::Mesh;
+//!
+//! # fn main() -> Result<(), regge::Error> {
+//! let points = vec![
+//!     vector![0.0, 0.0],
+//!     vector![1.0, 0.0],
+//!     vector![1.0, 1.0],
+//!     vector![0.0, 1.0],
+//!     vector![0.5, 0.5],
+//! ];
+//! let cells = [vec![0, 1, 4], vec![1, 2, 4], vec![2, 3, 4], vec![3, 0, 4]];
+//! let square = Mesh::<2>::new(points, &cells)?;
+//! assert_eq!((square.count(0), square.count(1), square.cells()), (5, 8, 4));
+//! assert_eq!(square.interior(0).collect::<Vec<_>>(), [4]);
+//! // The same without points, and the meshes of the paper: Freudenthal's cube of (−1, 1)^N, shaken.
+//! assert_eq!(Mesh::<2>::new_abstract(5, &cells)?.euler_characteristic(), 1);
+//! let cube = Mesh::<3>::cube(2)?.perturbed(0.05, 1)?;
+//! assert_eq!(cube.cells(), 48);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! **Edge lengths** are the metrics of degree 0: classical Regge calculus. Four triangles with sides 1, 1, 1 around a
+//! vertex leave an angle of 2π − 4π/3; the curvature of its hat function is twice that.
+//!
+//! ```
+//! use regge::functional::{Rules, distributional_curvature};
+//! use regge::lagrange::Lagrange;
+//! use regge::mesh::Mesh;
+//! use regge::regge::ReggeSpace;
+//! use std::f64::consts::PI;
+//!
+//! # fn main() -> Result<(), regge::Error> {
+//! let cells = [vec![0, 1, 4], vec![1, 2, 4], vec![2, 3, 4], vec![3, 0, 4]];
+//! let square = Mesh::<2>::new_abstract(5, &cells)?;
+//! let space = ReggeSpace::new(&square, 0);
+//! // The coefficients of degree 0 are the squared lengths, edge by edge in the order of the mesh.
+//! let pyramid = space.function(vec![1.0; square.count(1)])?;
+//! let hats = Lagrange::new(&square, 1);
+//! let sums = distributional_curvature::<f64, _, _>(&pyramid, &hats, &Rules::new::<2>(1));
+//! assert!((sums.hinge[4] - 2.0 * (2.0 * PI - 4.0 * PI / 3.0)).abs() < 1e-14);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! **A metric by a formula** is written once, for every scalar: its derivatives come from jets. Here the unit sphere in
+//! the stereographic chart, R = 2; the library knows it as [`metrics::Metric::Sphere`]. Its Regge interpolant of degree
+//! r keeps lengths (r = 0), or moments of lengths on edges, faces and cells.
+//!
+//! ```
+//! use regge::functional::{Rules, distributional_curvature, smooth_curvature};
+//! use regge::lagrange::Lagrange;
+//! use regge::linalg::{Mat, symmetric};
+//! use regge::mesh::Mesh;
+//! use regge::regge::{Interpolant, ReggeSpace};
+//! use regge::scalar::Real;
+//! use regge::smooth::{Smooth, SmoothTensor};
+//!
+//! struct Sphere;
+//! impl SmoothTensor<2> for Sphere {
+//!     fn at<S: Real>(&self, x: &[S; 2]) -> Mat<S, 2> {
+//!         let w = S::one() + x[0] * x[0] + x[1] * x[1];
+//!         let factor = S::from_int(4) / (w * w);
+//!         symmetric(|i, j| if i == j { factor } else { S::zero() })
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), regge::Error> {
+//! let mesh = Mesh::<2>::cube(8)?;
+//! let sphere = Smooth::new(&mesh, Sphere)?;
+//! let space = ReggeSpace::new(&mesh, 2);
+//! let g = Interpolant::Canonical { order: 8 }.apply(&space, &sphere)?;
+//! // Paired with every hat function: cells, faces and hinges apart.
+//! let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new::<2>(10));
+//! let ours = distributional_curvature::<f64, _, _>(&g, &hats, &rules);
+//! let smooth = smooth_curvature::<f64, 2, _>(&sphere, &hats, &rules.element);
+//! let middle = 40; // of 9 × 9 vertices
+//! assert!((ours.total()[middle] / smooth[middle] - 1.0).abs() < 1e-3);
+//! assert!(ours.face[middle].abs() > 1e-6, "the jumps are a part of it");
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! **Derivatives in the metric**: the same lines with dual numbers differentiate the curvature along g + tσ. Rω scales as
+//! length^(N−2), which for N = 3 and σ = g means a rate of ½.
+//!
 //! ```
 //! use num_dual::Dual64;
 //! use regge::field::Combination;
@@ -21,27 +114,21 @@
 //! use regge::smooth::Smooth;
 //!
 //! # fn main() -> Result<(), regge::Error> {
-//! // A mesh of (−1, 1)³, a metric by formula, its Regge interpolant of degree 1.
 //! let mesh = Mesh::<3>::cube(2)?;
-//! let graph = Smooth::new(&mesh, Metric::GraphQuartic)?;
 //! let space = ReggeSpace::new(&mesh, 1);
+//! let graph = Smooth::new(&mesh, Metric::GraphQuartic)?;
 //! let g = Interpolant::Canonical { order: 8 }.apply(&space, &graph)?;
-//!
-//! // Its curvature against every quadratic test function, the three sums kept apart.
-//! let test = Lagrange::new(&mesh, 2);
-//! let rules = Rules::new::<3>(8);
-//! let curvature = distributional_curvature::<f64, _, _>(&g, &test, &rules);
-//! let centre = 13; // the vertex in the middle
-//! println!("{} {} {}", curvature.element[centre], curvature.face[centre], curvature.hinge[centre]);
-//!
-//! // The same lines with dual numbers differentiate it along g + t σ, here with σ = g.
+//! let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new::<3>(8));
 //! let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, 1.0), &g);
-//! let rate = distributional_curvature::<Dual64, _, _>(&moving, &test, &rules).total()[centre];
-//! // Rω scales as length^(N−2), that is as (1+t)^½ here.
-//! assert!((rate.eps - 0.5 * rate.re).abs() < 1e-12 * rate.re.abs());
+//! let rate = distributional_curvature::<Dual64, _, _>(&moving, &test, &rules).total();
+//! let centre = 13; // the vertex in the middle of 3 × 3 × 3
+//! assert!((rate[centre].eps - 0.5 * rate[centre].re).abs() < 1e-12 * rate[centre].re.abs());
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! More: the folder `examples/` (a sphere from lengths, convergence in H⁻², derivatives, Gauss–Bonnet with R_h, a lattice
+//! relaxed to a solution of Regge's equations), and the command line `regge` for meshes and metrics from files.
 //!
 //! # The house
 //! Modules import only from floors below their own:
@@ -49,18 +136,21 @@
 //! | floor | modules |
 //! |---|---|
 //! | 0 | [`scalar`] |
-//! | 1 | [`linalg`], [`simplex`], [`error`] |
-//! | 2 | [`jet`], [`quadrature`], [`mesh`], [`field`] |
+//! | 1 | [`error`], `parallel`, [`linalg`], [`jet`] |
+//! | 2 | [`simplex`], [`quadrature`], [`mesh`], [`field`] |
 //! | 3 | [`riemann`] |
 //! | 4 | [`hypersurface`], [`hinge`], [`formulas`] |
-//! | 5 | [`mod@regge`], [`lagrange`], [`smooth`], [`metrics`] |
+//! | 5 | [`lagrange`], [`smooth`], [`metrics`], [`mod@regge`] |
 //! | 6 | [`functional`] |
-//! | 7 | `norm` (feature `norms`) |
+//! | 7 | `norm`, `project` (feature `norms`) |
 //!
 //! # Features
 //! Without default features the crate is scalars to functionals on nalgebra and num-dual alone. `norms` adds the H⁻²
-//! norm and its sparse solver, `parallel` threads (results do not depend on their number), `lanes` SIMD lanes as a
+//! norm, the projection R_h and their sparse solver, `parallel` threads (results do not depend on their number), `lanes` SIMD lanes as a
 //! scalar, `tabulated` quadrature rules with fewer points.
+//!
+//! Lanes are as wide as the compiler's target allows, and the default for x86-64 is half of what nearly every machine has:
+//! build your program with `RUSTFLAGS="-C target-cpu=native"`. `scalar::Lanes::unused_width` tells whether that is missing.
 
 pub mod error;
 pub mod field;
@@ -76,6 +166,8 @@ pub mod metrics;
 #[cfg(feature = "norms")]
 pub mod norm;
 mod parallel;
+#[cfg(feature = "norms")]
+pub mod project;
 pub mod quadrature;
 pub mod regge;
 pub mod riemann;

@@ -4,7 +4,7 @@
 //! positive definite matrix needs no pivoting, so LDLᵀ does for all scalars.
 
 use crate::scalar::Field;
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 /// An N×N array over T; a (0,2)-tensor's `[(i, j)]` component, or its inverse's.
 pub type Mat<T, const N: usize> = SMatrix<T, N, N>;
@@ -14,27 +14,63 @@ pub type Vector<T, const N: usize> = SVector<T, N>;
 /// The zero matrix.
 #[inline]
 pub fn zeros<T: Field, const N: usize>() -> Mat<T, N> {
-    Mat::from_element(T::zero())
+    Mat::from_array_storage(ArrayStorage([[T::zero(); N]; N]))
+}
+
+/// The matrix with these entries.
+///
+/// As nalgebra's `from_fn`, but what is made of wide scalars stays where it is: moving it costs as much as computing it.
+#[inline]
+pub fn matrix<T: Field, const N: usize>(mut entry: impl FnMut(usize, usize) -> T) -> Mat<T, N> {
+    let mut a = zeros();
+    for j in 0..N {
+        for i in 0..N {
+            a[(i, j)] = entry(i, j);
+        }
+    }
+    a
+}
+
+/// The vector with these components. See [`matrix`].
+#[inline]
+pub fn vector<T: Field, const N: usize>(mut component: impl FnMut(usize) -> T) -> Vector<T, N> {
+    let mut x = Vector::from_array_storage(ArrayStorage([[T::zero(); N]]));
+    for i in 0..N {
+        x[i] = component(i);
+    }
+    x
 }
 
 /// The identity matrix.
 #[inline]
 pub fn identity<T: Field, const N: usize>() -> Mat<T, N> {
-    Mat::from_fn(|i, j| if i == j { T::one() } else { T::zero() })
+    matrix(|i, j| if i == j { T::one() } else { T::zero() })
 }
 
-/// A symmetric matrix from its entries with i ≤ j.
+/// A symmetric matrix from its entries with i ≤ j, which are asked for row by row.
 #[inline]
-pub fn symmetric<T: Field, const N: usize>(entry: impl Fn(usize, usize) -> T) -> Mat<T, N> {
+pub fn symmetric<T: Field, const N: usize>(entry: impl FnMut(usize, usize) -> T) -> Mat<T, N> {
     let mut a = zeros();
+    fill_symmetric(&mut a, entry);
+    a
+}
+
+/// [`symmetric`] in place: arrays of matrices are filled so, for to move them costs as much as to compute them.
+#[inline]
+pub fn fill_symmetric<T: Field, const N: usize>(
+    a: &mut Mat<T, N>,
+    mut entry: impl FnMut(usize, usize) -> T,
+) {
+    // Loops with constant bounds can be unrolled.
     for i in 0..N {
-        for j in i..N {
-            let value = entry(i, j);
-            a[(i, j)] = value;
-            a[(j, i)] = value;
+        for j in 0..N {
+            if i <= j {
+                let value = entry(i, j);
+                a[(i, j)] = value;
+                a[(j, i)] = value;
+            }
         }
     }
-    a
 }
 
 /// a(x, y) = a_ij xⁱ yʲ.
@@ -52,13 +88,13 @@ pub fn form<T: Field, const N: usize>(a: &Mat<T, N>, x: &Vector<T, N>, y: &Vecto
 /// (A x)_i = a_ij xʲ.
 #[inline]
 pub fn apply<T: Field, const N: usize>(a: &Mat<T, N>, x: &Vector<T, N>) -> Vector<T, N> {
-    let mut y = Vector::from_element(T::zero());
-    for i in 0..N {
+    vector(|i| {
+        let mut y = T::zero();
         for j in 0..N {
-            y[i] += a[(i, j)] * x[j];
+            y += a[(i, j)] * x[j];
         }
-    }
-    y
+        y
+    })
 }
 
 /// α(X) = α_i Xⁱ.
@@ -103,54 +139,83 @@ pub fn sandwich<T: Field, const N: usize>(b: &Mat<T, N>, a: &Mat<T, N>) -> Mat<T
     })
 }
 
-/// The factors of A = L D Lᵀ: L unit lower triangular below the diagonal, D on it.
+/// A = L D Lᵀ with L unit lower triangular.
+#[derive(Clone, Copy, Debug)]
+pub struct Ldlt<T: Field, const N: usize> {
+    /// L below the diagonal, D on it.
+    pub factors: Mat<T, N>,
+    /// 1/D.
+    pub reciprocals: [T; N],
+}
+
+/// The factors of A = L D Lᵀ.
 ///
 /// Without pivoting: A is symmetric and its leading minors do not vanish (positive definite matrices).
-pub fn ldlt<T: Field, const N: usize>(a: &Mat<T, N>) -> Mat<T, N> {
+#[inline]
+pub fn ldlt<T: Field, const N: usize>(a: &Mat<T, N>) -> Ldlt<T, N> {
     let mut f = *a;
+    let mut reciprocals = [T::zero(); N];
     for j in 0..N {
-        for k in 0..j {
-            let scaled = f[(j, k)] * f[(k, k)];
-            for i in j..N {
-                let l_ik = f[(i, k)];
-                f[(i, j)] -= l_ik * scaled;
+        for k in 0..N {
+            if k < j {
+                let scaled = f[(j, k)] * f[(k, k)];
+                for i in 0..N {
+                    if i >= j {
+                        let l_ik = f[(i, k)];
+                        f[(i, j)] -= l_ik * scaled;
+                    }
+                }
             }
         }
-        let d = T::one() / f[(j, j)];
-        for i in j + 1..N {
-            f[(i, j)] *= d;
+        reciprocals[j] = T::one() / f[(j, j)];
+        for i in 0..N {
+            if i > j {
+                f[(i, j)] *= reciprocals[j];
+            }
         }
     }
-    f
+    Ldlt {
+        factors: f,
+        reciprocals,
+    }
 }
 
 /// A⁻¹ and det A of a symmetric matrix with non-vanishing leading minors.
+#[inline]
 pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T) {
-    let f = ldlt(a);
-    let mut det = T::one();
-    for i in 0..N {
+    let Ldlt {
+        factors: f,
+        reciprocals,
+    } = ldlt(a);
+    let mut det = f[(0, 0)];
+    for i in 1..N {
         det *= f[(i, i)];
     }
     // M = L⁻¹, unit lower triangular.
-    let mut m = identity::<T, N>();
+    let mut m = zeros::<T, N>();
     for j in 0..N {
-        for i in j + 1..N {
-            let mut sum = f[(i, j)];
-            for k in j + 1..i {
-                sum += f[(i, k)] * m[(k, j)];
+        for i in 0..N {
+            if i > j {
+                let mut sum = f[(i, j)];
+                for k in 0..N {
+                    if j < k && k < i {
+                        sum += f[(i, k)] * m[(k, j)];
+                    }
+                }
+                m[(i, j)] = -sum;
             }
-            m[(i, j)] = -sum;
         }
     }
-    // A⁻¹ = Mᵀ D⁻¹ M.
-    let mut d_inv = Vector::<T, N>::from_element(T::zero());
-    for i in 0..N {
-        d_inv[i] = T::one() / f[(i, i)];
-    }
+    // A⁻¹ = Mᵀ D⁻¹ M, the unit diagonal of M left out.
     let inverse = symmetric(|i, j| {
-        let mut sum = m[(j, i)] * d_inv[j];
-        for k in j + 1..N {
-            sum += m[(k, i)] * m[(k, j)] * d_inv[k];
+        let mut sum = reciprocals[j];
+        if i < j {
+            sum *= m[(j, i)];
+        }
+        for k in 0..N {
+            if k > j {
+                sum += m[(k, i)] * m[(k, j)] * reciprocals[k];
+            }
         }
         sum
     });
@@ -159,6 +224,6 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
 
 /// The first pivot of LDLᵀ that is not positive: none if and only if the symmetric matrix is positive definite.
 pub fn indefinite_pivot<const N: usize>(a: &Mat<f64, N>) -> Option<f64> {
-    let f = ldlt(a);
+    let f = ldlt(a).factors;
     (0..N).map(|i| f[(i, i)]).find(|d| d.is_nan() || *d <= 0.0)
 }

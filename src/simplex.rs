@@ -5,7 +5,7 @@
 //! origin.
 
 use crate::jet::{Jet1, Jet2};
-use crate::scalar::{Field, Real};
+use crate::scalar::{Lift, Real};
 
 /// All subsets of {0, …, n−1} with `size` elements, ascending, in lexicographic order.
 pub fn subsets(n: usize, size: usize) -> Vec<Vec<usize>> {
@@ -191,36 +191,89 @@ pub fn barycentric_jets<T: Real, const N: usize>(points: &Points, block: usize) 
     lambda
 }
 
-/// Σ_α c_α B_α from a row of a table of the B_α.
-#[inline]
-pub fn combine<T: Field, const N: usize>(c: &[T], row: &[Jet2<T, N>]) -> Jet2<T, N> {
-    let mut sum = Jet2::constant(T::zero());
-    for (c, b) in c.iter().zip(row) {
-        sum.value += *c * b.value;
-        for m in 0..N {
-            sum.d[m] += *c * b.d[m];
-            for n in m..N {
-                sum.dd[m][n] += *c * b.dd[m][n];
-            }
-        }
-    }
-    for m in 0..N {
-        for n in 0..m {
-            sum.dd[m][n] = sum.dd[n][m];
-        }
-    }
-    sum
+/// All B_α with their derivatives in the reference coordinates of an N-simplex at points, by blocks, laid out for the
+/// sums Σ_α c_α B_α: a sum reads what it needs and nothing else.
+#[derive(Clone, Debug)]
+pub struct JetTable<T, const N: usize> {
+    /// How many α.
+    size: usize,
+    /// B_α, by block and α.
+    values: Vec<T>,
+    /// ∂_m B_α.
+    first: Vec<[T; N]>,
+    /// ∂_m∂_n B_α with m ≤ n, row by row.
+    second: Vec<T>,
 }
 
-/// [`combine`] without the second derivatives.
-#[inline]
-pub fn combine_first<T: Field, const N: usize>(c: &[T], row: &[Jet2<T, N>]) -> Jet1<T, N> {
-    let mut sum = Jet1::constant(T::zero());
-    for (c, b) in c.iter().zip(row) {
-        sum.value += *c * b.value;
-        for m in 0..N {
-            sum.d[m] += *c * b.d[m];
+impl<T: Real, const N: usize> JetTable<T, N> {
+    /// Of a basis at points.
+    pub fn new(basis: &Bernstein, points: &Points) -> Self {
+        let jets = basis.tabulate_jets::<T, N>(points);
+        let all = || jets.iter().flatten();
+        let upper =
+            |b: &Jet2<T, N>| -> Vec<T> { (0..N).flat_map(|m| b.dd[m][m..].to_vec()).collect() };
+        Self {
+            size: basis.len(),
+            values: all().map(|b| b.value).collect(),
+            first: all().map(|b| b.d).collect(),
+            second: all().flat_map(upper).collect(),
         }
     }
-    sum
+
+    /// Σ_α c_α B_α at a block.
+    #[inline]
+    pub fn value<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> T {
+        let mut sum = T::zero();
+        for (c, b) in c.iter().zip(&self.values[block * self.size..]) {
+            sum += c.lift() * *b;
+        }
+        sum
+    }
+
+    /// With first derivatives.
+    #[inline]
+    pub fn jet1<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> Jet1<T, N> {
+        let mut sum = Jet1::constant(T::zero());
+        let start = block * self.size;
+        let rows = self.values[start..].iter().zip(&self.first[start..]);
+        for (c, (b, d)) in c.iter().zip(rows) {
+            let c = c.lift();
+            sum.value += c * *b;
+            for m in 0..N {
+                sum.d[m] += c * d[m];
+            }
+        }
+        sum
+    }
+
+    /// With second derivatives.
+    #[inline]
+    pub fn jet2<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> Jet2<T, N> {
+        let mut sum = Jet2::constant(T::zero());
+        let (start, packed) = (block * self.size, N * (N + 1) / 2);
+        let rows = self.values[start..].iter().zip(&self.first[start..]);
+        let second = self.second[start * packed..].chunks_exact(packed);
+        for (c, ((b, d), dd)) in c.iter().zip(rows.zip(second)) {
+            let c = c.lift();
+            sum.value += c * *b;
+            let mut p = 0;
+            for m in 0..N {
+                sum.d[m] += c * d[m];
+                for n in 0..N {
+                    if m <= n {
+                        sum.dd[m][n] += c * dd[p];
+                        p += 1;
+                    }
+                }
+            }
+        }
+        for m in 0..N {
+            for n in 0..N {
+                if n < m {
+                    sum.dd[m][n] = sum.dd[n][m];
+                }
+            }
+        }
+        sum
+    }
 }

@@ -2,10 +2,10 @@
 
 use nalgebra::SVector;
 use num_dual::{Dual, Dual2_64, Dual64, HyperDual64};
-use regge::jet::{Jet, Jet1, Jet2};
+use regge::jet::{Jet, Jet1, Jet2, lower};
 use regge::linalg::{Mat, inverse_and_det, symmetric};
 use regge::metrics::Metric;
-use regge::riemann::Connection;
+use regge::riemann::{Connection, Curvature};
 use regge::scalar::{Lanes, Real};
 use regge::smooth::SmoothTensor;
 
@@ -79,6 +79,41 @@ fn lanes_are_four_numbers() {
     close(Lanes::pack(|l| x[l]).to_array()[3], 0.9, 0.0);
 }
 
+/// The rational approximation of all lanes at once against atan2 of the system, which is off by less than a unit in the
+/// last place: two units of π, all around the circle and at its eighths.
+#[test]
+fn angles_of_lanes() {
+    for step in -4000..=4000 {
+        let theta = f64::from(step) * std::f64::consts::PI / 4000.0;
+        let (s, c) = theta.sin_cos();
+        let lanes: Lanes = Real::angle(Lanes::from_f64(3.0 * s), Lanes::from_f64(3.0 * c));
+        let known = (3.0 * s).atan2(3.0 * c);
+        assert!(
+            (lanes.to_array()[1] - known).abs() <= 2.0 * f64::EPSILON * known.abs().max(1.0),
+            "{theta}: {lanes:?} {known}"
+        );
+    }
+}
+
+/// A build for this machine leaves nothing unused; another one says so.
+#[test]
+fn lost_lanes_are_reported() {
+    assert_eq!(
+        Lanes::unused_width().is_some(),
+        cfg!(target_arch = "x86_64") && Lanes::BUILT_FOR < 256 && wide_vectors()
+    );
+}
+
+#[cfg(target_arch = "x86_64")]
+fn wide_vectors() -> bool {
+    std::arch::is_x86_feature_detected!("avx")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn wide_vectors() -> bool {
+    false
+}
+
 /// A⁻¹A = 1 and det A by LDLᵀ against nalgebra's LU, and the derivative of det: det · Tr(A⁻¹ dA).
 #[test]
 fn inverse_and_determinant() {
@@ -124,6 +159,43 @@ fn curvature_of_known_metrics() {
     closed_forms::<3>();
     closed_forms::<4>();
     closed_forms::<5>();
+}
+
+/// R_ijkl = g_ik g_jl − g_il g_jk on the unit sphere; its symmetries and Bianchi's identity for a metric without any; Ric
+/// of the sphere is (N−1) g.
+#[test]
+fn lowered_curvature() {
+    let jets = |metric: Metric| {
+        let x: [f64; 4] = std::array::from_fn(|i| 0.4 - 0.3 * i as f64);
+        let at: [Jet2<f64, 4>; 4] = std::array::from_fn(|i| Jet2::coordinate(x[i], i));
+        metric.at(&at)
+    };
+    let (sphere, generic) = (jets(Metric::Sphere), jets(Metric::Trig));
+    let (on_sphere, anywhere) = (
+        Connection::new(&lower(&sphere)),
+        Connection::new(&lower(&generic)),
+    );
+    let (known, r) = (
+        Curvature::new(&sphere, &on_sphere),
+        Curvature::new(&generic, &anywhere),
+    );
+    let g = &on_sphere.g;
+    for index in 0..256 {
+        let [i, j, k, l] = [index / 64, index / 16 % 4, index / 4 % 4, index % 4];
+        let expected = g[(i, k)] * g[(j, l)] - g[(i, l)] * g[(j, k)];
+        close(known.riemann([i, j, k, l]), expected, 1e-13);
+        let at = |a, b, c, d| r.riemann([a, b, c, d]);
+        close(at(i, j, k, l), -at(j, i, k, l), 1e-15);
+        close(at(i, j, k, l), at(k, l, i, j), 1e-15);
+        close(at(i, j, k, l) + at(i, k, l, j) + at(i, l, j, k), 0.0, 1e-15);
+    }
+    assert!(r.riemann([0, 1, 0, 1]).abs() > 1e-3, "it is curved");
+    let ricci = known.ricci();
+    for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+        close(ricci[(i, j)], 3.0 * g[(i, j)], 1e-13);
+    }
+    close(r.scalar(), Connection::new(&generic).scalar(), 1e-14);
+    close(r.scalar(), anywhere.trace(&r.ricci()), 1e-14);
 }
 
 /// The paper's own formula, section 5, at a point: 162(1−x²)(1−y²)/(9+q(x)+q(y))², q(x) = x²(x²−3)².

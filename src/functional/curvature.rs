@@ -1,17 +1,18 @@
 //! The distributional densitized scalar curvature. Paper: def:distcurv.
 
+use super::corner::{Corners, Defects};
 use super::site::{Sites, sum_over};
 use super::{Rules, Sums};
 use crate::field::TensorField;
 use crate::formulas::{Formulas, Paper};
-use crate::hinge::Hinge;
 use crate::hypersurface::{self, Normal};
-use crate::jet::Jet1;
+use crate::jet::{Jet1, lower, lower_vector};
 use crate::lagrange::Lagrange;
-use crate::linalg::{Vector, inverse_and_det};
-use crate::parallel::in_order;
+use crate::linalg::Vector;
+use crate::mesh::{Mesh, Slot};
+use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
-use crate::riemann::Connection;
+use crate::riemann::{Connection, Curvature};
 use crate::scalar::Real;
 
 /// ⟨(Rω)_dist(g), v⟩ = Σ_T ∫ R v ω + 2 Σ̊_F ∫ ⟦H⟧ v ω_F + 2 Σ̊_S ∫ Θ_S v ω_S for every basis function v.
@@ -32,12 +33,32 @@ pub fn distributional_curvature_with<K: Formulas, T: Real, const N: usize, G: Te
     space: &Lagrange<'_, N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
-    let mut sums = Sums::zero(space.len());
-    if !g.is_constant() {
-        sums.element = smooth_curvature(g, space, &rules.element);
-        sums.face = face_sum::<K, T, N, G>(g, space, &rules.face);
-    }
-    sums.hinge = hinge_sum::<K, T, N, G>(g, space, &rules.hinge);
+    let (mesh, len) = (space.mesh(), space.cell_len());
+    let element = CellTerm::new(g, space, &rules.element);
+    let face = FaceTerm::new(g, space, &rules.face);
+    let hinges = Sites::<T>::new(N - 2, &rules.hinge, space);
+    let corners = Corners::new(g, mesh, &hinges);
+    let (mut sums, mut defects) = (Sums::zero(space.len()), corners.before());
+    let flat = g.is_constant();
+    let on_cell = |cell: usize, row: &mut [T]| {
+        let local = g.on_cell(cell);
+        let (sums, angles) = row.split_at_mut(2 * len);
+        if !flat {
+            let (r, h) = sums.split_at_mut(len);
+            element.add(&local, r);
+            face.add::<K>(mesh, cell, &local, h);
+        }
+        corners.fill::<K>(cell, &local, angles);
+    };
+    let width = 2 * len + corners.width();
+    rows_in_order(mesh.cells(), width, T::zero(), on_cell, |cell, row| {
+        for (i, dof) in space.cell_dofs(cell).enumerate() {
+            sums.element[dof] += row[i].reduce();
+            sums.face[dof] += row[len + i].reduce();
+        }
+        defects.subtract(mesh, cell, &row[2 * len..]);
+    });
+    sums.hinge = hinge_sum::<K, T, N>(&defects, space, &hinges);
     sums
 }
 
@@ -47,116 +68,113 @@ pub fn smooth_curvature<T: Real, const N: usize, G: TensorField<T, N>>(
     space: &Lagrange<'_, N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
-    let sites = Sites::<T>::new(N, rule, space);
-    let table = g.tabulate(rule.points());
-    sum_over(space, &sites, 0..space.mesh().cells(), |cell, acc| {
-        let local = g.on_cell(cell);
-        for block in 0..sites.weights.len() {
-            let connection = Connection::new(&g.jet2(&local, &table, block));
-            let omega = connection.det.value.sqrt();
-            sites.accumulate(block, connection.scalar() * omega, acc);
-        }
+    let term = CellTerm::new(g, space, rule);
+    sum_over(space, &term.sites, 0..space.mesh().cells(), |cell, acc| {
+        term.add(&g.on_cell(cell), acc);
     })
 }
 
-/// 2 Σ̊_F ∫ ⟦H⟧ v ω_F: H from both cells, each with its own outward normal.
-fn face_sum<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>>(
-    g: &G,
-    space: &Lagrange<'_, N>,
-    rule: &Rule,
-) -> Vec<T::Sum> {
-    let mesh = space.mesh();
-    let sites = Sites::<T>::new(N - 1, rule, space);
-    let tables = sites.tables(g);
-    sum_over(space, &sites, mesh.interior_faces(), |face, acc| {
-        for side in mesh.star(N - 1, face) {
-            let local = g.on_cell(side.cell);
-            let nu = sites.outward::<N>(side.place)[0];
-            for block in 0..sites.weights.len() {
-                let connection = Connection::new(&g.jet1(&local, &tables[side.place], block));
-                let density = densitized_mean_curvature::<K, T, N>(&connection, &nu);
-                sites.accumulate(block, density * K::face_factor(), acc);
+/// ∫_T R v ω.
+struct CellTerm<'a, T: Real, const N: usize, G: TensorField<T, N>> {
+    g: &'a G,
+    sites: Sites<T>,
+    table: G::Table,
+}
+
+impl<'a, T: Real, const N: usize, G: TensorField<T, N>> CellTerm<'a, T, N, G> {
+    fn new(g: &'a G, space: &Lagrange<'_, N>, rule: &Rule) -> Self {
+        Self {
+            g,
+            sites: Sites::new(N, rule, space),
+            table: g.tabulate(rule.points()),
+        }
+    }
+
+    /// Adds the integrals over a cell, by its basis functions.
+    fn add(&self, local: &G::Local, acc: &mut [T]) {
+        for block in 0..self.sites.weights.len() {
+            let g = self.g.jet2(local, &self.table, block);
+            let connection = Connection::new(&lower(&g));
+            let r = Curvature::new(&g, &connection).scalar();
+            self.sites.accumulate(block, r * connection.det.sqrt(), acc);
+        }
+    }
+}
+
+/// 2 ∫_F H v ω_F over the interior faces of a cell, with its own outward normal: ⟦H⟧ is the sum of both sides.
+struct FaceTerm<'a, T: Real, const N: usize, G: TensorField<T, N>> {
+    g: &'a G,
+    sites: Sites<T>,
+    tables: Vec<G::Table>,
+    outward: Vec<Vector<Jet1<T, N>, N>>,
+    /// By place, the cell's number for each function of the trace basis.
+    numbers: Vec<Vec<usize>>,
+}
+
+impl<'a, T: Real, const N: usize, G: TensorField<T, N>> FaceTerm<'a, T, N, G> {
+    fn new(g: &'a G, space: &Lagrange<'_, N>, rule: &Rule) -> Self {
+        let sites = Sites::<T>::new(N - 1, rule, space);
+        let all: Vec<usize> = (0..=N).collect();
+        let on_cell = space.trace_slots(&all);
+        let number = |slot: &Slot| on_cell.iter().position(|s| s == slot).unwrap_or_default();
+        Self {
+            g,
+            tables: sites.tables(g),
+            outward: (0..=N)
+                .map(|place| sites.outward::<N>(place)[0].map(Jet1::constant))
+                .collect(),
+            numbers: sites
+                .slots
+                .iter()
+                .map(|slots| slots.iter().map(number).collect())
+                .collect(),
+            sites,
+        }
+    }
+
+    /// Adds the integrals over the faces of a cell, by the cell's basis functions.
+    fn add<K: Formulas>(&self, mesh: &Mesh<N>, cell: usize, local: &G::Local, acc: &mut [T]) {
+        for (place, &face) in mesh.simplices_of(cell, N - 1).iter().enumerate() {
+            if !mesh.is_interior(N - 1, face as usize) {
+                continue;
+            }
+            for block in 0..self.sites.weights.len() {
+                let connection = Connection::new(&self.g.jet1(local, &self.tables[place], block));
+                let density =
+                    densitized_mean_curvature::<K, T, N>(&connection, &self.outward[place]);
+                let weighted = density * K::face_factor() * self.sites.weights[block];
+                for (&number, v) in self.numbers[place].iter().zip(&self.sites.basis[block]) {
+                    acc[number] += weighted * *v;
+                }
             }
         }
-    })
+    }
 }
 
-/// H ω_F of the plane {λ_f = 0} with constant covector ν, on one side.
-pub(super) fn densitized_mean_curvature<K: Formulas, T: Real, const N: usize>(
+/// H ω_F of a hypersurface with covector ν, on one side, relative to a coordinate measure on {λ_f = 0} for ν = −dλ_f.
+#[inline]
+fn densitized_mean_curvature<K: Formulas, T: Real, const N: usize>(
     connection: &Connection<T, N>,
-    nu: &Vector<T, N>,
+    nu: &Vector<Jet1<T, N>, N>,
 ) -> T {
-    let normal = Normal::new(&connection.inverse, nu);
-    let second_form = K::second_form(connection, &nu.map(Jet1::constant), &normal);
+    let normal = Normal::new(&connection.inverse, &lower_vector(nu));
+    let second_form = K::second_form(connection, nu, &normal);
     hypersurface::mean_curvature(&normal, &second_form) * normal.length * connection.det.sqrt()
 }
 
 /// 2 Σ̊_S ∫ Θ_S v ω_S.
-fn hinge_sum<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>>(
-    g: &G,
+fn hinge_sum<K: Formulas, T: Real, const N: usize>(
+    defects: &Defects<T>,
     space: &Lagrange<'_, N>,
-    rule: &Rule,
+    sites: &Sites<T>,
 ) -> Vec<T::Sum> {
-    let sites = Sites::<T>::new(N - 2, rule, space);
-    let around = Around::<T, N, G>::new(g, &sites);
-    sum_over(
-        space,
-        &sites,
-        space.mesh().interior_hinges(),
-        |hinge, acc| {
-            let defects = around.angle_defect::<K>(space, hinge);
-            for (block, (defect, omega_s)) in defects.into_iter().enumerate() {
-                sites.accumulate(block, defect * omega_s * K::hinge_factor(), acc);
-            }
-        },
-    )
-}
-
-/// What is needed to walk around the hinges of a mesh with a metric.
-pub(super) struct Around<'a, T: Real, const N: usize, G: TensorField<T, N>> {
-    g: &'a G,
-    blocks: usize,
-    tables: Vec<G::Table>,
-    outward: Vec<[Vector<T, N>; 2]>,
-}
-
-impl<'a, T: Real, const N: usize, G: TensorField<T, N>> Around<'a, T, N, G> {
-    /// At the points of these sites, which are hinges.
-    pub fn new(g: &'a G, sites: &Sites<T>) -> Self {
-        let outward = (0..sites.vertices.len())
-            .map(|place| {
-                let nu = sites.outward::<N>(place);
-                [nu[0], nu[1]]
-            })
-            .collect();
-        Self {
-            g,
-            blocks: sites.weights.len(),
-            tables: sites.tables(g),
-            outward,
+    let hinges = space.mesh().interior_hinges();
+    sum_over(space, sites, hinges, |hinge, acc| {
+        for block in 0..sites.weights.len() {
+            let (defect, omega_s) = defects.at(hinge, block);
+            sites.accumulate(block, defect * omega_s * K::hinge_factor(), acc);
         }
-    }
-
-    /// (Θ_S, ω_S) at each block of points of a hinge: Θ_S = 2π − Σ_T θ_ST, ω_S from the first cell.
-    pub fn angle_defect<K: Formulas>(&self, space: &Lagrange<'_, N>, hinge: usize) -> Vec<(T, T)> {
-        let two_pi = T::from_f64(std::f64::consts::TAU);
-        let mut defects = vec![(two_pi, T::zero()); self.blocks];
-        for (first, side) in space.mesh().star(N - 2, hinge).enumerate() {
-            let local = self.g.on_cell(side.cell);
-            let [a, b] = &self.outward[side.place];
-            for (block, (defect, omega_s)) in defects.iter_mut().enumerate() {
-                let g = self.g.value(&local, &self.tables[side.place], block);
-                let (inverse, det) = inverse_and_det(&g);
-                let corner = Hinge::new(&inverse, [a, b]);
-                let (sin, cos) = K::dihedral(&corner);
-                *defect -= T::angle(sin, cos);
-                if first == 0 {
-                    *omega_s = corner.omega_s(det);
-                }
-            }
-        }
-        defects
-    }
+    })
 }
 
 /// Θ_S at the barycentre of each interior hinge, in the order of the mesh: (hinge, Θ_S, |S| by a rule of `order`).
@@ -165,22 +183,16 @@ pub fn angle_defects<const N: usize, G: TensorField<f64, N>>(
     space: &Lagrange<'_, N>,
     order: usize,
 ) -> Vec<(usize, f64, f64)> {
-    let (centre, rule) = (Rule::new(N - 2, 1), Rule::new(N - 2, order));
-    let at_centre = Sites::<f64>::new(N - 2, &centre, space);
-    let sites = Sites::<f64>::new(N - 2, &rule, space);
-    let (middle, around) = (Around::new(g, &at_centre), Around::new(g, &sites));
-    let hinges: Vec<usize> = space.mesh().interior_hinges().collect();
-    let mut all = Vec::with_capacity(hinges.len());
-    let on_hinge = |index: usize| {
-        let defect = middle.angle_defect::<Paper>(space, hinges[index])[0].0;
-        let volumes = around.angle_defect::<Paper>(space, hinges[index]);
-        let volume = volumes
-            .iter()
-            .zip(&sites.weights)
-            .map(|((_, omega), w)| omega * w)
-            .sum();
-        (hinges[index], defect, volume)
+    let mesh = space.mesh();
+    let on_rule = |order: usize| {
+        let sites = Sites::<f64>::new(N - 2, &Rule::new(N - 2, order), space);
+        (Defects::new::<Paper, N, G>(g, mesh, &sites), sites.weights)
     };
-    in_order(hinges.len(), on_hinge, |_, row| all.push(row));
-    all
+    let ((middle, _), (around, weights)) = (on_rule(1), on_rule(order));
+    let row = |hinge: usize| {
+        let volumes = weights.iter().enumerate();
+        let volume = volumes.map(|(q, w)| around.at(hinge, q).1 * w).sum();
+        (hinge, middle.at(hinge, 0).0, volume)
+    };
+    mesh.interior_hinges().map(row).collect()
 }

@@ -6,20 +6,33 @@
 //! | [`smooth_curvature`] | ∫ R v ω cell by cell | |
 //! | [`b_h`], [`a_h`] | the two sides' forms in d/dt⟨(Rω)_dist, v⟩ = b_h − a_h | thm:distcurvdot |
 //! | [`einstein`] | ⟨(Gω)_dist(g), σ⟩ | def:distein |
+//! | [`einstein_against`] | the same against every Regge basis function | def:distein |
+//! | [`boundary_curvature`] | the boundary terms of Gauss and Bonnet | |
+//! | [`regge_action`], [`action_gradient`], [`action_hessian`] | Regge's action and equations | |
+//! | [`cell_curvatures`], [`face_jumps`], [`angle_defects`] | the sums simplex by simplex | |
 //! | [`integrate`] | any density on k-simplices, seen from the cells around | |
 //!
 //! The three sums over cells T, faces F and hinges S are kept apart. Every function has a twin `…_with` that takes
 //! the [`Formulas`](crate::formulas::Formulas) to use.
 
+mod action;
+mod boundary;
+mod corner;
 mod curvature;
+mod einstein;
 mod integrate;
+mod local;
 mod site;
 mod variation;
 
+pub use action::{ActionGradient, action_gradient, action_hessian, regge_action};
+pub use boundary::boundary_curvature;
 pub use curvature::{
     angle_defects, distributional_curvature, distributional_curvature_with, smooth_curvature,
 };
+pub use einstein::einstein_against;
 pub use integrate::integrate;
+pub use local::{boundary_mean_curvatures, cell_curvatures, cell_volumes, face_jumps};
 pub use variation::{a_h, a_h_with, b_h, b_h_with, einstein};
 
 use crate::quadrature::Rule;

@@ -4,7 +4,7 @@ use crate::field::TensorField;
 use crate::lagrange::Lagrange;
 use crate::linalg::Vector;
 use crate::mesh::Slot;
-use crate::parallel::in_order;
+use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
 use crate::scalar::{Field, Real};
 use crate::simplex::{Points, subsets};
@@ -92,21 +92,17 @@ pub(super) fn sum_over<T: Real, const N: usize>(
     let k = sites.vertices[0].len() - 1;
     let simplices: Vec<usize> = simplices.collect();
     let mut sum = vec![T::Sum::zero(); space.len()];
-    let on_simplex = |index: usize| {
-        let mut acc = vec![T::zero(); sites.basis[0].len()];
-        local(simplices[index], &mut acc);
-        reduce(acc)
-    };
-    in_order(simplices.len(), on_simplex, |index, local| {
-        let side = mesh.first_side(k, simplices[index]);
-        for (dof, value) in space.dofs(side.cell, &sites.slots[side.place]).zip(local) {
-            sum[dof] += value;
-        }
-    });
+    rows_in_order(
+        simplices.len(),
+        sites.basis[0].len(),
+        T::zero(),
+        |index, acc| local(simplices[index], acc),
+        |index, acc| {
+            let side = mesh.first_side(k, simplices[index]);
+            for (dof, value) in space.dofs(side.cell, &sites.slots[side.place]).zip(acc) {
+                sum[dof] += value.reduce();
+            }
+        },
+    );
     sum
-}
-
-/// The lanes of every entry added up.
-pub(super) fn reduce<T: Real>(acc: Vec<T>) -> Vec<T::Sum> {
-    acc.into_iter().map(T::reduce).collect()
 }

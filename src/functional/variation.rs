@@ -1,7 +1,7 @@
 //! The forms b_h and a_h of the first variation, and the distributional Einstein tensor. Paper: thm:distcurvdot.
 
-use super::curvature::Around;
-use super::site::{Sites, reduce, sum_over};
+use super::corner::Defects;
+use super::site::{Sites, sum_over};
 use super::{Rules, Sums};
 use crate::field::TensorField;
 use crate::formulas::{Formulas, Paper};
@@ -10,9 +10,9 @@ use crate::hypersurface::{self, Normal, outward};
 use crate::jet::{Jet1, Jet2, lower};
 use crate::lagrange::Lagrange;
 use crate::linalg::{Vector, contract, inverse_and_det};
-use crate::parallel::in_order;
+use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
-use crate::riemann::{Connection, differential};
+use crate::riemann::{Connection, Curvature, differential};
 use crate::scalar::Real;
 
 /// b_h(g; σ, v) = Σ_T ∫ ⟨𝕊σ, ∇∇v⟩ ω − Σ_F ∫ 𝕊σ(n,n) ⟦∇_n v⟧ ω_F for every basis function v.
@@ -45,22 +45,22 @@ pub fn b_h_with<
     let element = HessianTerm::new(g, sigma, space, &rules.element);
     let face = NormalTerm::new(g, sigma, space, &rules.face);
     let mut sums = Sums::zero(space.len());
-    let on_cell = |cell: usize| {
+    let len = space.cell_len();
+    let on_cell = |cell: usize, row: &mut [T]| {
         let (g, sigma) = (g.on_cell(cell), sigma.on_cell(cell));
-        let hessian = element.on_cell::<K>(&g, &sigma);
-        let mut normal = vec![T::zero(); hessian.len()];
+        let (hessian, normal) = row.split_at_mut(len);
+        element.on_cell::<K>(&g, &sigma, hessian);
         for place in 0..=N {
             let interior = mesh.is_interior(N - 1, mesh.simplices_of(cell, N - 1)[place] as usize);
             if K::face_in_b(interior) {
-                face.on_face::<K>(&g, &sigma, place, &mut normal);
+                face.on_face::<K>(&g, &sigma, place, normal);
             }
         }
-        (reduce(hessian), reduce(normal))
     };
-    in_order(mesh.cells(), on_cell, |cell, (hessian, normal)| {
+    rows_in_order(mesh.cells(), 2 * len, T::zero(), on_cell, |cell, row| {
         for (i, dof) in space.cell_dofs(cell).enumerate() {
-            sums.element[dof] += hessian[i];
-            sums.face[dof] += normal[i];
+            sums.element[dof] += row[i].reduce();
+            sums.face[dof] += row[len + i].reduce();
         }
     });
     sums
@@ -88,8 +88,7 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>
         }
     }
 
-    fn on_cell<K: Formulas>(&self, g: &G::Local, sigma: &H::Local) -> Vec<T> {
-        let mut acc = vec![T::zero(); self.basis[0].len()];
+    fn on_cell<K: Formulas>(&self, g: &G::Local, sigma: &H::Local, acc: &mut [T]) {
         for block in 0..self.weights.len() {
             let connection = Connection::new(&self.g.jet1(g, &self.tables.0, block));
             let sigma = self.sigma.value(sigma, &self.tables.1, block);
@@ -100,7 +99,6 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>
                 *a += crate::linalg::double_contract(&raised, &connection.hessian(v)) * weight;
             }
         }
-        acc
     }
 }
 
@@ -209,11 +207,12 @@ fn einstein_sum<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T,
     sum_over(space, &sites, 0..space.mesh().cells(), |cell, acc| {
         let locals = (g.on_cell(cell), sigma.on_cell(cell));
         for block in 0..sites.weights.len() {
-            let connection = Connection::new(&g.jet2(&locals.0, &tables.0, block));
+            let g = g.jet2(&locals.0, &tables.0, block);
+            let connection = Connection::new(&lower(&g));
             let sigma = sigma.value(&locals.1, &tables.1, block);
-            let inverse = lower(&connection.inverse);
-            let density = crate::riemann::inner(&inverse, &connection.einstein(), &sigma);
-            sites.accumulate(block, density * connection.det.value.sqrt(), acc);
+            let einstein = Curvature::new(&g, &connection).einstein();
+            let density = connection.inner(&einstein, &sigma);
+            sites.accumulate(block, density * connection.det.sqrt(), acc);
         }
     })
 }
@@ -261,14 +260,14 @@ fn defect_sum<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>, H: Ten
 ) -> Vec<T::Sum> {
     let mesh = space.mesh();
     let sites = Sites::<T>::new(N - 2, rule, space);
-    let around = Around::<T, N, G>::new(g, &sites);
+    let defects = Defects::new::<K, N, G>(g, mesh, &sites);
     let tables = (sites.tables(g), sites.tables(sigma));
     sum_over(space, &sites, mesh.interior_hinges(), |hinge, acc| {
         let side = mesh.first_side(N - 2, hinge);
         let locals = (g.on_cell(side.cell), sigma.on_cell(side.cell));
         let nu = sites.outward::<N>(side.place);
-        let defects = around.angle_defect::<K>(space, hinge);
-        for (block, (defect, omega_s)) in defects.into_iter().enumerate() {
+        for block in 0..sites.weights.len() {
+            let (defect, omega_s) = defects.at(hinge, block);
             let g = g.value(&locals.0, &tables.0[side.place], block);
             let sigma = sigma.value(&locals.1, &tables.1[side.place], block);
             let (inverse, _) = inverse_and_det(&g);

@@ -72,8 +72,7 @@ macro_rules! jet_scalar {
             #[inline]
             fn angle(sin: Self, cos: Self) -> Self {
                 let theta = T::angle(sin.value, cos.value);
-                let s = Self::constant(theta.sin());
-                let c = Self::constant(theta.cos());
+                let (s, c) = (Self::constant(sin.value), Self::constant(cos.value));
                 let turned = ((sin * c - cos * s) / (cos * c + sin * s)).atan();
                 turned + Self::constant(theta - turned.value)
             }

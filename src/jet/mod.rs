@@ -7,7 +7,7 @@
 mod arithmetic;
 mod functions;
 
-use crate::linalg::{Mat, Vector};
+use crate::linalg::{Mat, Vector, matrix, vector};
 use crate::scalar::Field;
 
 /// Value and first derivatives: `d[m]` is ∂_m.
@@ -73,13 +73,13 @@ impl<T: Field, const N: usize> Jet<N> for Jet2<T, N> {
 /// Every entry of a matrix of jets, one order lower.
 #[inline]
 pub fn lower<J: Jet<N>, const N: usize>(a: &Mat<J, N>) -> Mat<J::Lower, N> {
-    a.map(|x| x.lower())
+    matrix(|i, j| a[(i, j)].lower())
 }
 
 /// Every entry of a vector of jets, one order lower.
 #[inline]
 pub fn lower_vector<J: Jet<N>, const N: usize>(a: &Vector<J, N>) -> Vector<J::Lower, N> {
-    a.map(|x| x.lower())
+    vector(|i| a[i].lower())
 }
 
 impl<T: Field, const N: usize> Jet1<T, N> {

@@ -15,7 +15,6 @@ pub use perturb::SplitMix64;
 
 use crate::Error;
 use crate::linalg::{Mat, Vector};
-use crate::simplex::binomial;
 use check::{check_manifold, sorted_cells};
 use incidence::Layer;
 
@@ -145,9 +144,10 @@ impl<const N: usize> Mesh<N> {
     }
 
     /// The k-simplices of a cell, in the order of [`crate::simplex::subsets`] of its vertices, k < N.
+    #[inline]
     pub fn simplices_of(&self, cell: usize, k: usize) -> &[u32] {
-        let per_cell = binomial(N + 1, k + 1);
-        &self.layers[k].of_cell[cell * per_cell..(cell + 1) * per_cell]
+        let layer = &self.layers[k];
+        &layer.of_cell[cell * layer.per_cell..(cell + 1) * layer.per_cell]
     }
 
     /// The cells that contain a k-simplex, ascending, k < N.
@@ -162,6 +162,7 @@ impl<const N: usize> Mesh<N> {
     }
 
     /// The first cell that contains a k-simplex, k ≤ N.
+    #[inline]
     pub fn first_side(&self, k: usize, simplex: usize) -> Side {
         if k == N {
             return Side {
@@ -178,6 +179,7 @@ impl<const N: usize> Mesh<N> {
     }
 
     /// Is a k-simplex interior, that is not contained in the boundary? Cells are.
+    #[inline]
     pub fn is_interior(&self, k: usize, simplex: usize) -> bool {
         k == N || self.layers[k].interior[simplex]
     }

@@ -28,16 +28,16 @@ pub(super) struct Shape<const N: usize> {
     /// g⁻¹.
     pub inverse: Mat<f64, N>,
     /// Face by face, in the order of `subsets`.
-    faces: Vec<FaceShape<N>>,
+    pub faces: Vec<FaceShape<N>>,
 }
 
 /// How the unknowns u, û of a face make ŵ.
 #[derive(Clone, Copy, Debug)]
-struct FaceShape<const N: usize> {
+pub(super) struct FaceShape<const N: usize> {
     /// ±h_f: û is the derivative along the normal that leaves the first of the face's cells.
-    height: f64,
+    pub height: f64,
     /// Barycentric components of N_f − m_f at the vertices of the face, ascending.
-    tangent: [f64; N],
+    pub tangent: [f64; N],
 }
 
 impl<const N: usize> Shape<N> {
@@ -67,7 +67,7 @@ impl<const N: usize> Shape<N> {
     }
 
     /// The coefficient of Y_b in s_a when S^{ij} = g^{ik} g^{jl} Y_kl: pairs a = (i, j), b = (k, l).
-    fn raise(&self, (i, j): (usize, usize), (k, l): (usize, usize)) -> f64 {
+    pub fn raise(&self, (i, j): (usize, usize), (k, l): (usize, usize)) -> f64 {
         let q = &self.inverse;
         0.5 * (q[(i, k)] * q[(j, l)] + q[(i, l)] * q[(j, k)])
     }

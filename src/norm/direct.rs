@@ -1,11 +1,11 @@
 //! The direct solver: bubbles condensed cell by cell, then a sparse Cholesky factorisation.
 
-use super::BiharmonicSolver;
 use super::cell::eliminate;
 use super::factor::Factor;
 use super::hhj::{Deflection, Hhj};
 use super::sparse::Upper;
 use super::unknowns::Unknowns;
+use super::{BiharmonicSolver, Step};
 use crate::Error;
 use crate::parallel::in_order;
 
@@ -77,7 +77,16 @@ impl Direct {
 }
 
 impl<const N: usize> BiharmonicSolver<N> for Direct {
-    fn solve(&self, hhj: &Hhj<'_, N>, load: &[f64]) -> Result<Deflection, Error> {
+    fn name(&self) -> &'static str {
+        "cholesky"
+    }
+
+    fn solve(
+        &self,
+        hhj: &Hhj<'_, N>,
+        load: &[f64],
+        _: &mut dyn FnMut(Step),
+    ) -> Result<Deflection, Error> {
         let (bubbles, len) = (hhj.layout().bubbles, hhj.layout().len);
         let mut x = load.to_vec();
         x.resize(hhj.len(), 0.0);

@@ -11,29 +11,38 @@ use faer::{Conj, MatMut, Par, Side};
 
 /// U = Lᵀ with A = L Lᵀ.
 #[derive(Debug)]
-pub(super) struct Factor {
+pub(crate) struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
 }
 
 /// The solver's degree of parallelism: fixed, since the order of its sums depends on it.
 #[cfg(feature = "parallel")]
-fn parallelism() -> Par {
+pub(super) fn parallelism() -> Par {
     Par::rayon(2)
 }
 
 #[cfg(not(feature = "parallel"))]
-fn parallelism() -> Par {
+pub(super) fn parallelism() -> Par {
     Par::Seq
 }
 
 impl Factor {
     /// The factor of a matrix with at least one row.
-    pub fn new(matrix: &Upper) -> Result<Self, Error> {
-        let n = matrix.columns.len() - 1;
-        let pattern =
-            SymbolicSparseColMatRef::new_checked(n, n, &matrix.columns, None, &matrix.rows);
+    pub(super) fn new(matrix: &Upper) -> Result<Self, Error> {
         let order = SymmetricOrdering::Identity;
+        Self::of(&matrix.columns, &matrix.rows, &matrix.values, order)
+    }
+
+    /// The factor of a matrix whose upper triangle is given by compressed columns, eliminated in this order.
+    pub fn of(
+        columns: &[usize],
+        rows: &[usize],
+        entries: &[f64],
+        order: SymmetricOrdering<'_, usize>,
+    ) -> Result<Self, Error> {
+        let n = columns.len() - 1;
+        let pattern = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
         let symbolic = factorize_symbolic_cholesky(pattern, Side::Upper, order, Default::default())
             .map_err(|e| Error::Solver(format!("{n} unknowns: {e}")))?;
         let mut values = Vec::new();
@@ -51,7 +60,7 @@ impl Factor {
         symbolic
             .factorize_numeric_llt(
                 &mut values,
-                SparseColMatRef::new(pattern, &matrix.values),
+                SparseColMatRef::new(pattern, entries),
                 Side::Upper,
                 Default::default(),
                 par,

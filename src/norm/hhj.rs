@@ -169,6 +169,16 @@ impl<'m, const N: usize> Hhj<'m, N> {
         &self.element.layout
     }
 
+    /// The reference element.
+    pub(super) fn element(&self) -> &Element<N> {
+        &self.element
+    }
+
+    /// The shapes of the cells.
+    pub(super) fn shapes(&self) -> &[Shape<N>] {
+        &self.shapes
+    }
+
     /// The barycentres of the cells.
     pub(super) fn centres(&self) -> Vec<Vector<f64, N>> {
         self.shapes.iter().map(|s| s.centre).collect()

@@ -14,18 +14,31 @@
 //! The continuity of the moments is enforced by the slopes ∂_n u on the interior faces (hybridisation); moments and
 //! bubbles are condensed cell by cell. Results are the same bit for bit whatever the number of threads.
 
+mod batch;
 mod cell;
+mod cg;
+mod coarse;
+mod cycle;
 mod direct;
 mod dissection;
 mod element;
-mod factor;
+pub(crate) mod factor;
 mod hhj;
+mod iterative;
+mod jacobi;
+mod lattice;
 mod layout;
+mod operator;
+mod skeleton;
 mod sparse;
+mod spline;
+mod stencil;
+mod transfer;
 mod unknowns;
 
 pub use direct::Direct;
 pub use hhj::{Deflection, Hhj};
+pub use iterative::Iterative;
 
 use crate::Error;
 use crate::lagrange::Lagrange;
@@ -38,9 +51,42 @@ pub trait BiharmonicSolver<const N: usize>: std::fmt::Debug + Send + Sync {
     /// The (u, û) of a load for the discretisation that the solver was made for. The load holds f(v) for each v of
     /// [`Hhj::space`]; entries of v on ∂Ω are to be ignored.
     ///
+    /// An iterative solver tells `watch` of each of its steps.
+    ///
     /// # Errors
     /// If the solver gives up.
-    fn solve(&self, hhj: &Hhj<'_, N>, load: &[f64]) -> Result<Deflection, Error>;
+    fn solve(
+        &self,
+        hhj: &Hhj<'_, N>,
+        load: &[f64],
+        watch: &mut dyn FnMut(Step),
+    ) -> Result<Deflection, Error>;
+
+    /// What reports call it.
+    fn name(&self) -> &'static str;
+}
+
+/// A step of an iterative solver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Its number, from 1.
+    pub number: usize,
+    /// The residual after it over that of u = 0, in the norm of the preconditioner: about the error of σ over σ.
+    pub residual: f64,
+}
+
+/// From this many unknowns on the iterative solver is faster than the direct one in space; in the plane the factor stays
+/// small.
+const MANY_UNKNOWNS: usize = 15_000;
+
+/// The solver that suits a discretisation: iterative for many unknowns on a cube's mesh in space, direct otherwise.
+fn choose<const N: usize>(hhj: &Hhj<'_, N>) -> Result<Box<dyn BiharmonicSolver<N>>, Error> {
+    Ok(
+        match N == 3 && hhj.len() >= MANY_UNKNOWNS && Iterative::suits(hhj) {
+            true => Box::new(Iterative::new(hhj)?),
+            false => Box::new(Direct::new(hhj)?),
+        },
+    )
 }
 
 /// The H⁻² norm on a mesh in ℝ^N: set up once, for as many functionals as you like.
@@ -69,19 +115,25 @@ impl HMinus2Norm {
 }
 
 impl<'m, const N: usize> HMinus2<'m, N> {
-    /// The norm by u of degree p, with the direct solver.
+    /// The norm by u of degree p, with the solver that suits the mesh: [`Iterative`] for many unknowns on a cube's mesh in
+    /// space, [`Direct`] otherwise.
     ///
     /// # Errors
-    /// As [`Hhj::new`] and [`Direct::new`].
+    /// As [`Hhj::new`], [`Direct::new`] and [`Iterative::new`].
     pub fn new(mesh: &'m Mesh<N>, degree: usize) -> Result<Self, Error> {
         let hhj = Hhj::new(mesh, degree)?;
-        let solver = Box::new(Direct::new(&hhj)?);
+        let solver = choose(&hhj)?;
         Ok(Self { hhj, solver })
     }
 
     /// The norm by a discretisation and a solver made for it.
     pub fn with_solver(hhj: Hhj<'m, N>, solver: Box<dyn BiharmonicSolver<N>>) -> Self {
         Self { hhj, solver }
+    }
+
+    /// The solver's name.
+    pub fn solver(&self) -> &'static str {
+        self.solver.name()
     }
 
     /// The discretisation.
@@ -99,6 +151,18 @@ impl<'m, const N: usize> HMinus2<'m, N> {
     /// # Errors
     /// If the load has the wrong length or an entry that is not finite, or the solver gives up.
     pub fn solve(&self, load: &[f64]) -> Result<Deflection, Error> {
+        self.solve_watched(load, &mut |_| ())
+    }
+
+    /// [`HMinus2::solve`]; `watch` is told of each step of an iterative solver.
+    ///
+    /// # Errors
+    /// As [`HMinus2::solve`].
+    pub fn solve_watched(
+        &self,
+        load: &[f64],
+        watch: &mut dyn FnMut(Step),
+    ) -> Result<Deflection, Error> {
         if load.len() != self.space().len() {
             let reason = format!(
                 "a load of length {} for {} functions",
@@ -113,7 +177,7 @@ impl<'m, const N: usize> HMinus2<'m, N> {
                 load[dof]
             )));
         }
-        let deflection = self.solver.solve(&self.hhj, load)?;
+        let deflection = self.solver.solve(&self.hhj, load, watch)?;
         match deflection.coefficients.iter().all(|x| x.is_finite()) {
             true => Ok(deflection),
             false => Err(Error::Solver(

@@ -7,11 +7,13 @@
 //! simplex with vertices {a, b} ∪ supp α, and a global vector of such coefficients is a Regge function. For r = 0
 //! they are the squared edge lengths.
 
+mod basis;
 mod canonical;
 mod geodesic;
 mod hierarchical;
 mod interpolate;
 
+pub use basis::BasisFunction;
 pub use canonical::Canonical;
 pub use geodesic::{geodesic_interpolant, geodesic_length};
 pub use interpolate::{Interpolant, Projection};
@@ -19,10 +21,10 @@ pub use interpolate::{Interpolant, Projection};
 use crate::Error;
 use crate::field::TensorField;
 use crate::jet::{Jet1, Jet2};
-use crate::linalg::{Mat, indefinite_pivot};
+use crate::linalg::{Mat, indefinite_pivot, symmetric};
 use crate::mesh::{Mesh, Numbering, Slot};
 use crate::scalar::{Field, Lift, Real};
-use crate::simplex::{Bernstein, Points, binomial, combine, combine_first, subsets};
+use crate::simplex::{Bernstein, JetTable, Points, binomial, subsets};
 
 /// The Regge space of degree r on a mesh.
 #[derive(Clone, Debug)]
@@ -82,6 +84,12 @@ impl<'m, const N: usize> ReggeSpace<'m, N> {
     pub fn cell_dof(&self, cell: usize, edge: usize, alpha: usize) -> usize {
         self.numbering
             .of_cell(self.mesh, cell, self.slots[edge][alpha])
+    }
+
+    /// Where the coefficients of the q_ab on the subsimplex with these local vertices of a cell are numbered, by edge of
+    /// the subsimplex, then by α.
+    pub fn trace_slots(&self, vertices: &[usize]) -> Vec<Slot> {
+        slots_on(vertices, N, self.degree).concat()
     }
 
     /// The function with these coefficients.
@@ -157,10 +165,11 @@ impl<'s, C: Copy, const N: usize> ReggeFunction<'s, C, N> {
     /// The coefficients of the edge components on a cell: `[edge][α]`, one after the other.
     pub fn local(&self, cell: usize) -> Vec<C> {
         let space = self.space;
-        let slots = space.slots.iter().flatten();
-        slots
-            .map(|&s| self.coefficients[space.numbering.of_cell(space.mesh, cell, s)])
-            .collect()
+        let mut local = Vec::with_capacity(space.slots.len() * space.slots[0].len());
+        for slot in space.slots.iter().flatten() {
+            local.push(self.coefficients[space.numbering.of_cell(space.mesh, cell, *slot)]);
+        }
+        local
     }
 }
 
@@ -213,81 +222,68 @@ pub(crate) fn edge_components<F: Field, const N: usize>(g: &Mat<F, N>) -> Vec<F>
     q
 }
 
-/// Row by row i ≤ j, the coefficients of g_ij = ½(q_0i + q_0j − q_ij) from those of the edge components, `[edge][α]`.
-fn component_coefficients<T: Real, const N: usize>(q: &[T]) -> Vec<T> {
+/// From the coefficients of the edge components, `[edge][α]`, those of g_ii = q_0i, then, pair by pair i < j in the
+/// order of the edges that do not meet vertex 0, of g_ij = ½(q_0i + q_0j − q_ij).
+fn components_from_edges<C: Field, const N: usize>(q: &mut [C]) {
     let size = q.len() / (N * (N + 1) / 2);
-    let mut g = Vec::with_capacity(q.len());
-    // The edges 0i come first; then 12, 13, …, 23, …
-    let mut edge = N;
+    let (diagonal, rest) = q.split_at_mut(N * size);
+    let mut others = rest.chunks_exact_mut(size);
     for i in 0..N {
-        g.extend_from_slice(&q[i * size..(i + 1) * size]);
-        for j in i + 1..N {
-            let sum = |a: usize| q[i * size + a] + q[j * size + a] - q[edge * size + a];
-            g.extend((0..size).map(|a| sum(a) * T::half()));
-            edge += 1;
-        }
-    }
-    g
-}
-
-/// The matrix whose entries i ≤ j are made of consecutive chunks of `coefficients`.
-#[inline]
-fn from_chunks<T, F: Field, const N: usize>(
-    coefficients: &[T],
-    size: usize,
-    entry: impl Fn(&[T]) -> F,
-) -> Mat<F, N> {
-    let mut g = crate::linalg::zeros();
-    let mut chunks = coefficients.chunks_exact(size);
-    for i in 0..N {
-        for j in i..N {
-            if let Some(chunk) = chunks.next() {
-                g[(i, j)] = entry(chunk);
-                g[(j, i)] = g[(i, j)];
+        for (j, pair) in (i + 1..N).zip(&mut others) {
+            for (a, c) in pair.iter_mut().enumerate() {
+                *c = (diagonal[i * size + a] + diagonal[j * size + a] - *c) * C::half();
             }
         }
     }
-    g
+}
+
+/// The matrix whose entries are made of equally long chunks of `coefficients`: the diagonal, then all i < j.
+#[inline]
+fn from_chunks<C, F: Field, const N: usize>(
+    coefficients: &[C],
+    entry: impl Fn(&[C]) -> F,
+) -> Mat<F, N> {
+    let size = coefficients.len() / (N * (N + 1) / 2);
+    let mut pair = N;
+    symmetric(|i, j| {
+        let chunk = if i == j { i } else { pair };
+        pair += usize::from(i < j);
+        entry(&coefficients[chunk * size..(chunk + 1) * size])
+    })
 }
 
 impl<C, T, const N: usize> TensorField<T, N> for ReggeFunction<'_, C, N>
 where
-    C: Lift<T> + Copy + Sync,
+    C: Field + Lift<T>,
     T: Real,
 {
-    /// The B_α with their derivatives, `[block][α]`.
-    type Table = Vec<Vec<Jet2<T, N>>>;
-    /// The coefficients of the components g_ij on the cell, i ≤ j, then α.
-    type Local = Vec<T>;
+    type Table = JetTable<T, N>;
+    /// The coefficients of the components on the cell: g_ii, then g_ij with i < j, `[component][α]`.
+    type Local = Vec<C>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        Bernstein::new(N + 1, self.space.degree).tabulate_jets(points)
+        JetTable::new(&Bernstein::new(N + 1, self.space.degree), points)
     }
 
-    fn on_cell(&self, cell: usize) -> Vec<T> {
-        let edges: Vec<T> = self.local(cell).into_iter().map(Lift::lift).collect();
-        component_coefficients::<T, N>(&edges)
+    fn on_cell(&self, cell: usize) -> Vec<C> {
+        let mut local = self.local(cell);
+        components_from_edges::<C, N>(&mut local);
+        local
     }
 
-    fn jet2(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
-        let row = &table[block];
-        from_chunks(local, row.len(), |c| combine(c, row))
+    #[inline]
+    fn jet2(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+        from_chunks(local, |c| table.jet2(block, c))
     }
 
-    fn jet1(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
-        let row = &table[block];
-        from_chunks(local, row.len(), |c| combine_first(c, row))
+    #[inline]
+    fn jet1(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
+        from_chunks(local, |c| table.jet1(block, c))
     }
 
-    fn value(&self, local: &Vec<T>, table: &Self::Table, block: usize) -> Mat<T, N> {
-        let row = &table[block];
-        from_chunks(local, row.len(), |c| {
-            let mut sum = T::zero();
-            for (c, b) in c.iter().zip(row) {
-                sum += *c * b.value;
-            }
-            sum
-        })
+    #[inline]
+    fn value(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<T, N> {
+        from_chunks(local, |c| table.value(block, c))
     }
 
     fn is_constant(&self) -> bool {

@@ -65,14 +65,14 @@ impl<T: DualNumCopy + DualNum<Primitive = f64>> Real for T {
     /// every order.
     #[inline]
     fn angle(sin: Self, cos: Self) -> Self {
-        let theta = DualStruct::re(&sin).atan2(DualStruct::re(&cos));
+        let (s, c) = (DualStruct::re(&sin), DualStruct::re(&cos));
+        let theta = T::from(s.atan2(c));
         if Self::NDERIV == 0 {
-            return T::from(theta);
+            return theta;
         }
-        let (s, c) = theta.sin_cos();
         let turned_sin = sin * c - cos * s;
         let turned_cos = cos * c + sin * s;
-        T::from(theta) + DualNum::atan(&(turned_sin / turned_cos))
+        theta + DualNum::atan(&(turned_sin / turned_cos))
     }
 }
 

@@ -4,4 +4,6 @@
 
 pub mod curvature;
 pub mod input;
+pub mod map;
 pub mod plot;
+pub mod vtu;

@@ -153,6 +153,8 @@ fn the_json_is_one_object_with_rows() {
         "order",
         "printed",
         "seconds",
+        "solver",
+        "steps",
     ];
     for row in rows {
         let row = row.as_object().expect("an object");

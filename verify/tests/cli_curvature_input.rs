@@ -58,6 +58,14 @@ fn bad_input_is_one_line_and_code_2() {
             r#"{"dimension": 2, "cells": [[0,1,2],[0,1,3],[0,2,3],[1,2,3]]}"#,
             "no coordinates",
         ),
+        (
+            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[5,0],[6,0],[5,1]], "cells": [[0,1,2],[3,4,5]]}"#,
+            "cell 1 is not connected with cell 0",
+        ),
+        (
+            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1e999]], "cells": [[0,1,2]]}"#,
+            "out of range",
+        ),
         ("nothing", "is no mesh"),
     ];
     for (text, expected) in meshes {
@@ -76,6 +84,85 @@ fn bad_input_is_one_line_and_code_2() {
         "--mesh m.json --metric g.toml --degree 99",
         "too high",
     );
+}
+
+/// Two tetrahedra of Gmsh's with their faces, and what may go wrong.
+#[test]
+fn bad_gmsh_files_are_one_line_with_the_place() {
+    let folder = folder("gmsh");
+    write(&folder, "g.toml", "dimension = 3\nconformal = \"1\"\n");
+    let good = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n\
+        6 5 5 5\n$EndNodes\n$Elements\n4\n1 2 2 9 1 1 2 3\n2 4 2 1 1 1 2 3 4\n3 4 2 1 1 2 3 4 5\n\
+        4 4 2 1 1 3 4 5 6\n$EndElements\n";
+    write(&folder, "m.msh", good);
+    curvature(&folder, "--mesh m.msh --metric g.toml");
+    for (from, to, expected) in [
+        (
+            "2 9 1 1 2 3\n",
+            "2 9 1 1 2 6\n",
+            "line 15: a triangle that is no face of a tetrahedron",
+        ),
+        (
+            "1 2 2 9 1 1 2 3\n",
+            "1 3 2 9 1 1 2 3 4\n",
+            "line 15: a quadrangle",
+        ),
+        (
+            "1 2 2 9 1 1 2 3\n",
+            "1 6 2 9 1 1 2 3 4 5 6\n",
+            "line 15: a prism",
+        ),
+        (
+            "6 5 5 5\n",
+            "6 1 1 1\n",
+            "line 11: vertex 5 is where vertex 4 is",
+        ),
+        ("6 5 5 5\n", "6 nan 5 5\n", "line 11: a coordinate is NaN"),
+        ("6 5 5 5\n", "6 1 0.5 0.5\n", "line 18"),
+        (
+            "4 4 2 1 1 3 4 5 6\n",
+            "4 4 2 1 1 2 3 4 6\n",
+            "share this face",
+        ),
+        (
+            "4 4 2 1 1 3 4 5 6\n",
+            "4 4 2 1 1 3 4 5 9\n",
+            "line 18: node 9 does not exist",
+        ),
+        ("4 4 2 1 1 3 4 5 6\n", "4 4 2 1 1 3 4 5 5\n", "line 18"),
+        ("4 4 2 1 1 3 4 5 6\n$EndElements\n", "", "truncated"),
+        ("6\n1 0 0 0", "7\n1 0 0 0", "line 12: '$EndNodes'"),
+        ("2.2 0 8", "4.0 0 8", "version 4.0"),
+    ] {
+        let changed = good.replace(from, to);
+        assert_ne!(changed, good, "{from}");
+        write(&folder, "bad.msh", &changed);
+        refused(&folder, "--mesh bad.msh --metric g.toml", expected);
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_or_written_is_refused_first() {
+    let folder = folder("asked");
+    write(
+        &folder,
+        "m.json",
+        r#"{"dimension": 2, "cells": [[0,1,2],[0,1,3],[0,2,3],[1,2,3]]}"#,
+    );
+    write(
+        &folder,
+        "l.csv",
+        "0,1,1\n0,2,1\n0,3,1\n1,2,1\n1,3,1\n2,3,1\n",
+    );
+    let mesh = "--mesh m.json --lengths l.csv";
+    refused(&folder, &format!("{mesh} --vtu f.vtu"), "no coordinates");
+    refused(&folder, &format!("{mesh} --plot f.pdf"), ".svg or .png");
+    refused(&folder, &format!("{mesh} --json f --csv f"), "two things");
+    refused(&folder, &format!("{mesh} --boundary all"), "gauss-bonnet");
+    refused(&folder, &format!("{mesh} --json ."), "is a folder");
+    let found = curvature(&folder, &format!("{mesh} --boundary gauss-bonnet"));
+    let residual = found["gauss_bonnet_residual"].as_f64();
+    assert!(residual.expect("a number").abs() < 1e-12);
 }
 
 #[test]

@@ -11,8 +11,8 @@ use regge::scalar::Lanes;
 use regge::smooth::Smooth;
 use regge_study::printed::SERIES;
 use regge_study::{
-    Case, Interpolation, LoadQuadrature, Quadrature, Quantity, Study, converged_order, mesh,
-    mesh_seed, printed_rule,
+    Case, Event, Interpolation, LoadQuadrature, Phase, Quadrature, Quantity, Study,
+    converged_order, mesh, mesh_seed, printed_rule,
 };
 
 #[test]
@@ -204,4 +204,41 @@ fn impossible_studies_are_refused() {
         ..study(2, &[1], 0..=0)
     };
     assert!(refused(geodesic).contains("geodesic"));
+}
+
+/// What an earlier run has is not computed again, and the rows are those of a run from the start.
+#[test]
+fn a_study_goes_on_where_it_was_stopped() {
+    let mut both = study(2, &[0, 1], 0..=1);
+    both.interpolants.push(Interpolation::Average);
+    let whole = rows(&both);
+    for stop in 0..=whole.len() {
+        let mut computed = 0;
+        let mut seen = Vec::new();
+        let resumed = both.resume(&whole[..stop], &mut |event| match event {
+            Event::Phase(_, Phase::Load) => computed += 1,
+            Event::Row(row) => seen.push(row.clone()),
+            _ => {}
+        });
+        let resumed = resumed.expect("a study that can be computed");
+        assert_eq!(computed, whole.len() - stop);
+        assert_eq!(seen, resumed);
+        for (a, b) in resumed.iter().zip(&whole) {
+            assert!(a.same_case(b));
+            assert_eq!((a.error, a.order), (b.error, b.order));
+        }
+    }
+}
+
+/// The estimate grows with level and degree, and eightfold a level in space in the end.
+#[test]
+fn memory_is_estimated() {
+    let one = study(3, &[0], 0..=0);
+    let need = |degree, level| one.memory(Case { degree, level });
+    for degree in 0..=2 {
+        assert!((0..6).all(|k| need(degree, k) < need(degree, k + 1)));
+        let growth = need(degree, 6) / need(degree, 5);
+        assert!((7.0..9.0).contains(&growth), "{growth}");
+    }
+    assert!(need(0, 5) < need(1, 5) && need(1, 5) < need(2, 5));
 }

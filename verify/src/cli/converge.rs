@@ -4,6 +4,7 @@ use super::job::Job;
 use super::reproduce::{DEFAULT_SEED, Orders};
 use super::stop::Stop;
 use super::values::{Levels, named};
+use super::{journal, memory};
 use regge::metrics::Metric;
 use regge_study::{Case, Interpolation, Named, ProjectionKind, Quantity, Study};
 use std::path::PathBuf;
@@ -75,6 +76,10 @@ pub struct Args {
     /// Draw the errors to this file
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    journal: journal::Args,
+    #[command(flatten)]
+    memory: memory::Args,
 }
 
 impl Args {
@@ -94,6 +99,8 @@ impl Args {
             json: self.json,
             plot: self.plot,
             study,
+            journal: self.journal,
+            memory: self.memory,
         };
         job.run()
     }

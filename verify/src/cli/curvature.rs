@@ -1,68 +1,46 @@
 //! `regge curvature`: from a mesh file to its curvature.
 
+use super::given::{DETAILS, Given};
 use super::output;
+use super::phases::Phases;
 use super::stop::{Out, Stop};
-use super::values::named;
-use regge_study::{Interpolation, LARGEST_DEGREE};
-use regge_verify::curvature::{CurvatureError, CurvatureReport, Request, Source, curvature};
-use regge_verify::input::InputError;
-use regge_verify::input::mesh::read_mesh;
-use regge_verify::input::metric::read_metric;
-use std::fmt::Write as _;
-use std::io::Write;
-use std::path::PathBuf;
+use regge_verify::curvature::{Boundary, CurvatureReport, Fields, Request, curvature};
+use regge_verify::{map, vtu};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
-const DETAILS: &str = "\
-Mesh: Gmsh 2.2 or 4.1 (text or binary; triangles or tetrahedra), or JSON:
-  {\"dimension\": 2, \"vertices\": [[0, 0], ...], \"cells\": [[0, 1, 2], ...]}
-  without \"vertices\" it is an abstract manifold, which edge lengths suffice for.
-
-Metric, a TOML file with the dimension and one of
-  g = [[\"1 + x^2\", \"x*y\"], [\"x*y\", \"1 + y^2\"]]
-  graph = \"x^2/2 - x^4/12\"          the metric of the graph of f
-  conformal = \"4/(1 + x^2 + y^2)^2\" the Euclidean one times this factor
-  embedding = [\"x\", \"y\", \"x*y\"]     the metric induced by this map
-in x, y, z or x1, x2, ...; exact_scalar_curvature = \"...\" may be added.
-
-Edge lengths: a CSV file with i,j,length for every edge, vertices counted from 0.
-
-The sums are those of the paper: interior faces and hinges only, no boundary terms.";
+const BOUNDARY: &str = "\
+The sums are those of the paper: interior faces and hinges only, test functions that vanish on the boundary. With
+--boundary gauss-bonnet the boundary's mean curvature and its angles (pi minus their sum) are added, and all test
+functions are used: in dimension 2 the total is then 4 pi times the Euler characteristic.";
 
 /// The distributional curvature of a Regge metric on a mesh from a file.
 #[derive(clap::Args)]
-#[command(after_help = DETAILS)]
-#[command(group(clap::ArgGroup::new("source").required(true).args(["metric", "lengths"])))]
+#[command(after_help = format!("{DETAILS}\n\n{BOUNDARY}"))]
 pub struct Args {
-    /// The mesh: Gmsh or JSON
-    #[arg(long, value_name = "FILE")]
-    mesh: PathBuf,
-    /// The smooth metric, by formulas
-    #[arg(long, value_name = "FILE.toml")]
-    metric: Option<PathBuf>,
-    /// The edge lengths: classical Regge calculus
-    #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["degree", "interpolant", "norm"])]
-    lengths: Option<PathBuf>,
-    /// Degree r of the Regge metric
-    #[arg(long, value_name = "R", default_value_t = 0)]
-    degree: usize,
-    /// How the Regge metric is made from the smooth one
-    #[arg(long, default_value = "canonical", value_parser = named::<Interpolation>())]
-    interpolant: Interpolation,
-    /// Order of quadrature [default: raised until the sums settle to 1e-8 of the largest]
-    #[arg(long, value_name = "ORDER", value_parser = clap::value_parser!(u64).range(0..=60))]
-    quadrature: Option<u64>,
-    /// Also pair with all test functions of this degree
+    #[command(flatten)]
+    given: Given,
+    /// Also pair with all test functions of this degree, onto which the curvature is projected
     #[arg(long, value_name = "Q", value_parser = clap::value_parser!(u64).range(1..=8))]
     test_degree: Option<u64>,
     /// Also the error against the smooth metric in this norm
-    #[arg(long)]
+    #[arg(long, conflicts_with = "lengths")]
     norm: Option<Norm>,
+    /// What is done on the boundary
+    #[arg(long, default_value = "none")]
+    boundary: AtBoundary,
     /// Write everything to this file
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// Write the sums at the vertices to this file
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Write mesh and fields to this file, for ParaView
+    #[arg(long, value_name = "FILE")]
+    vtu: Option<PathBuf>,
+    /// Draw the curvature of a plane mesh, as .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
 }
 
 /// Norms that can be asked for.
@@ -72,11 +50,22 @@ enum Norm {
     Hm2,
 }
 
+/// What is done on the boundary.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum AtBoundary {
+    /// Nothing: test functions vanish there
+    None,
+    /// Mean curvature and angles are added
+    GaussBonnet,
+}
+
 impl Args {
     /// Runs the command.
     pub fn run(self) -> Result<(), Stop> {
         self.check()?;
-        let mesh = read_mesh(&self.mesh).map_err(refused)?;
+        let phases = Phases::new(8);
+        phases.begin("reading the mesh");
+        let mesh = self.given.mesh()?;
         if self.norm.is_some() && mesh.dimension > 3 {
             let reason = format!(
                 "--norm hm2 is for dimensions 2 and 3, not {}",
@@ -84,70 +73,77 @@ impl Args {
             );
             return Err(Stop::Usage(reason));
         }
-        let report = curvature(&mesh, &self.source()?, &self.request());
-        let report = report.map_err(|error| match error {
-            CurvatureError::Input(reason) => Stop::Input(reason),
-            CurvatureError::Failed(reason) => Stop::Failed(reason),
-        })?;
+        if self.plot.is_some() && mesh.dimension != 2 {
+            let reason = format!("--plot is for dimension 2, not {}", mesh.dimension);
+            return Err(Stop::Usage(reason));
+        }
+        let source = self.given.source()?;
+        let report = curvature(&mesh, &source, &self.request(), &|what| phases.begin(what))?;
+        phases.begin("writing");
         self.write(&report)?;
+        drop(phases);
         self.show(&report)
     }
 
     /// What can be refused before any file is read.
     fn check(&self) -> Result<(), Stop> {
-        let refuse = |reason: String| Err(Stop::Usage(reason));
-        if self.degree > LARGEST_DEGREE {
-            return refuse(format!(
-                "degree {} is too high: {LARGEST_DEGREE} is the highest",
-                self.degree
-            ));
+        self.given.check()?;
+        let files: Vec<&PathBuf> = self.files().collect();
+        for (i, path) in files.iter().enumerate() {
+            if files[..i].contains(path) {
+                let reason = format!("two things are to be written to {}", path.display());
+                return Err(Stop::Usage(reason));
+            }
         }
-        if self.degree > 0 && self.interpolant == Interpolation::Geodesic {
-            return refuse(format!(
-                "the geodesic interpolant has degree 0, not {}",
-                self.degree
-            ));
-        }
-        if self.json.is_some() && self.json == self.csv {
-            return refuse("the JSON and the CSV go to one file".into());
+        if let Some(path) = &self.plot {
+            Picture::of(path)?;
         }
         self.files().try_for_each(|path| output::check(path))
     }
 
     fn files(&self) -> impl Iterator<Item = &PathBuf> {
-        self.json.iter().chain(&self.csv)
-    }
-
-    fn source(&self) -> Result<Source, Stop> {
-        match (&self.metric, &self.lengths) {
-            (Some(metric), _) => {
-                let metric = read_metric(metric).map_err(refused)?;
-                Ok(Source::Metric(Box::new(metric), self.interpolant))
-            }
-            (None, Some(lengths)) => Ok(Source::Lengths(lengths.clone())),
-            (None, None) => Err(Stop::Usage("--metric or --lengths is needed".into())),
-        }
+        let Self {
+            json,
+            csv,
+            vtu,
+            plot,
+            ..
+        } = self;
+        json.iter().chain(csv).chain(vtu).chain(plot)
     }
 
     fn request(&self) -> Request {
         Request {
-            degree: self.degree,
-            quadrature: self.quadrature.map(|order| order as usize),
+            degree: self.given.degree,
+            quadrature: self.given.quadrature(),
             test_degree: self.test_degree.map(|degree| degree as usize),
             norm: self.norm.is_some(),
+            boundary: match self.boundary {
+                AtBoundary::None => Boundary::None,
+                AtBoundary::GaussBonnet => Boundary::GaussBonnet,
+            },
+            details: self.json.is_some(),
+            fields: self.vtu.is_some() || self.plot.is_some(),
         }
     }
 
     fn write(&self, report: &CurvatureReport) -> Result<(), Stop> {
         if let Some(path) = &self.json {
-            let json = serde_json::to_string_pretty(report);
-            let json = json.map_err(|error| Stop::Failed(error.to_string()))?;
-            output::write(path, &(json + "\n"))?;
+            output::json(path, report)?;
         }
         if let Some(path) = &self.csv {
-            output::write(path, &table(report))?;
+            output::write_by(path, |out| table(report, out))?;
         }
-        Ok(())
+        let Some(fields) = &report.fields else {
+            return Ok(());
+        };
+        if let Some(path) = &self.vtu {
+            output::write_by(path, |out| vtu::write(fields, out))?;
+        }
+        match &self.plot {
+            Some(path) => draw(path, report, fields),
+            None => Ok(()),
+        }
     }
 
     fn show(&self, report: &CurvatureReport) -> Result<(), Stop> {
@@ -157,19 +153,21 @@ impl Args {
             "{}: N = {}, {} cells, Euler characteristic {}",
             report.mesh, report.dimension, report.cell_count, report.euler_characteristic
         )?;
-        let quadrature = &report.quadrature;
         writeln!(
             out,
             "Regge metric: {}, degree {}",
             report.interpolant, report.degree
         )?;
-        let unsettled = quadrature.settled == Some(false);
-        let state = if unsettled {
-            ", the sums have NOT settled"
-        } else {
-            ""
+        let state = match report.quadrature.settled {
+            Some(false) => ", the sums have NOT settled",
+            _ => "",
         };
-        writeln!(out, "quadrature of order {}{state}", quadrature.order)?;
+        writeln!(
+            out,
+            "quadrature of order {}{state}",
+            report.quadrature.order
+        )?;
+        writeln!(out, "boundary terms: {}", report.boundary)?;
         writeln!(out, "total curvature {:.12e}", report.total_curvature)?;
         if let Some(residual) = report.gauss_bonnet_residual {
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
@@ -186,20 +184,54 @@ impl Args {
     }
 }
 
-fn refused(error: InputError) -> Stop {
-    Stop::Input(error.to_string())
+/// The sums at the vertices, in a form that reads back to the same bits.
+fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
+    let more = report.boundary != "none";
+    let name = if more { ",boundary" } else { "" };
+    writeln!(out, "vertex,element,face,hinge{name},total")?;
+    for v in &report.vertices {
+        write!(
+            out,
+            "{},{:e},{:e},{:e}",
+            v.vertex, v.element, v.face, v.hinge
+        )?;
+        if let Some(boundary) = v.boundary {
+            write!(out, ",{boundary:e}")?;
+        }
+        writeln!(out, ",{:e}", v.total)?;
+    }
+    Ok(())
 }
 
-/// The sums at the vertices, in a form that reads back to the same bits.
-fn table(report: &CurvatureReport) -> String {
-    let mut text = String::from("vertex,element,face,hinge,total\n");
-    for v in &report.vertices {
-        // Writing to a string does not fail.
-        let _ = writeln!(
-            text,
-            "{},{:e},{:e},{:e},{:e}",
-            v.vertex, v.element, v.face, v.hinge, v.total
-        );
+/// How a picture is written.
+enum Picture {
+    Svg,
+    Png,
+}
+
+impl Picture {
+    fn of(path: &Path) -> Result<Self, Stop> {
+        let end = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match end.to_str() {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            _ => Err(Stop::Usage(format!(
+                "{}: a picture ends in .svg or .png",
+                path.display()
+            ))),
+        }
     }
-    text
+}
+
+fn draw(path: &Path, report: &CurvatureReport, fields: &Fields) -> Result<(), Stop> {
+    let title = format!(
+        "{}: {} cells, {}, degree {}",
+        report.mesh, report.cell_count, report.interpolant, report.degree
+    );
+    let svg = map::svg(fields, &title).map_err(Stop::Input)?;
+    let bytes = match Picture::of(path)? {
+        Picture::Svg => svg.into_bytes(),
+        Picture::Png => map::png(&svg).map_err(Stop::Failed)?,
+    };
+    output::write_by(path, |out| out.write_all(&bytes))
 }

@@ -1,5 +1,7 @@
 //! What `reproduce` and `converge` share: a study, computed, shown and written.
 
+use super::journal;
+use super::memory;
 use super::progress::Progress;
 use super::stop::{Out, Stop};
 use super::{notes, output, picture, table};
@@ -17,6 +19,10 @@ pub struct Job {
     pub json: Option<PathBuf>,
     /// Where the picture goes.
     pub plot: Option<PathBuf>,
+    /// Where each row goes at once.
+    pub journal: journal::Args,
+    /// How much memory there is.
+    pub memory: memory::Args,
 }
 
 impl Job {
@@ -31,6 +37,7 @@ impl Job {
                 "the JSON and the picture go to one file".into(),
             ));
         }
+        self.memory.check(&self.study)?;
         let rows = self.compute()?;
         let out = &mut Out::new();
         for note in notes::of(&self.study, &rows) {
@@ -51,25 +58,31 @@ impl Job {
     /// Shows each row as soon as it is there.
     fn compute(&self) -> Result<Vec<Row>, Stop> {
         let study = &self.study;
+        let (mut journal, earlier) = self.journal.open(study)?;
         let mut out = Out::new();
         writeln!(out, "{}\n", self.title)?;
         table::head(&mut out)?;
-        let progress = Progress::new(study);
+        let mut progress = Progress::new(study);
         let mut degree = None;
-        let mut unwritten = None;
-        let rows = study.run(&mut |event| {
+        let mut stopped: Result<(), Stop> = Ok(());
+        let rows = study.resume(&earlier, &mut |event| {
             progress.show(study, event);
             if let Event::Row(row) = event {
                 let gap = degree
                     .replace(row.degree)
                     .is_some_and(|before| before != row.degree);
                 let shown = progress.aside(|| show(&mut out, study, row, gap));
-                unwritten = unwritten.take().or(shown.err());
+                let kept = match &mut journal {
+                    Some(journal) if !earlier.iter().any(|e| e.same_case(row)) => journal.line(row),
+                    _ => Ok(()),
+                };
+                let here = kept.and(shown.map_err(Stop::from));
+                stopped = std::mem::replace(&mut stopped, Ok(())).and(here);
             }
         });
         drop(progress);
         let rows = rows.map_err(|failure| Stop::Failed(failure.to_string()))?;
-        unwritten.map_or(Ok(rows), |error: io::Error| Err(error.into()))
+        stopped.map(|()| rows)
     }
 
     fn write(&self, rows: Vec<Row>) -> Result<(), Stop> {

@@ -1,10 +1,16 @@
 //! The command line: arguments in, tables, files and exit codes out. Only here is anything printed.
 
+mod action;
 mod converge;
 mod curvature;
+mod einstein;
+mod given;
 mod job;
+mod journal;
+mod memory;
 mod notes;
 mod output;
+mod phases;
 mod picture;
 mod progress;
 mod reproduce;
@@ -24,9 +30,12 @@ Examples:
   regge reproduce table1                  the paper's Table 1, N = 2, beside the printed numbers
   regge reproduce table1 --as-printed     the same by the low-order quadrature of the paper
   regge reproduce table2 --levels 0..=2   Table 2, N = 3, on three meshes
+  regge reproduce table2 --rows t2.jsonl  all of it, to 1.5 million cells; --resume goes on after a kill
   regge reproduce figure2                 the critical term, averaged and canonical interpolant
   regge converge --metric trig --dimension 3 --degree 1 --levels 0..=3 --plot trig.svg
-  regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json
+  regge curvature --mesh m.msh --metric g.toml --degree 1 --json c.json --vtu c.vtu --plot c.svg
+  regge einstein --mesh m.msh --lengths l.csv --json e.json
+  regge action --mesh m.msh --lengths l.csv --csv gradient.csv
 
 Exit codes: 0 done, 1 a computation or a file failed, 2 bad arguments.";
 
@@ -46,7 +55,9 @@ enum Command {
     Converge(converge::Args),
     #[cfg(feature = "catalogue")]
     Verify(verify::Args),
-    Curvature(curvature::Args),
+    Curvature(Box<curvature::Args>),
+    Einstein(einstein::Args),
+    Action(action::Args),
 }
 
 /// Runs the command line of this process.
@@ -75,12 +86,17 @@ fn no_command() -> Stop {
 }
 
 fn run(command: Command) -> Result<(), Stop> {
+    if let Some(line) = regge::scalar::Lanes::unused_width() {
+        eprintln!("note: {line}");
+    }
     match command {
         Command::Reproduce(args) => args.run(),
         Command::Converge(args) => args.run(),
         #[cfg(feature = "catalogue")]
         Command::Verify(args) => args.run(),
         Command::Curvature(args) => args.run(),
+        Command::Einstein(args) => args.run(),
+        Command::Action(args) => args.run(),
     }
 }
 

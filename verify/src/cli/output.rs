@@ -1,8 +1,9 @@
 //! Files that are whole or not there.
 
 use super::stop::Stop;
+use serde::Serialize;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// Refuses a file that cannot be written, before anything is computed for it.
@@ -25,18 +26,41 @@ pub fn check(path: &Path) -> Result<(), Stop> {
 
 /// Writes a file beside its place and moves it there: what stood there before stays until the new one is whole.
 pub fn write(path: &Path, content: &str) -> Result<(), Stop> {
+    write_by(path, |out| out.write_all(content.as_bytes()))
+}
+
+/// A report as JSON.
+pub fn json(path: &Path, report: &impl Serialize) -> Result<(), Stop> {
+    write_by(path, |out| {
+        serde_json::to_writer_pretty(&mut *out, report)?;
+        writeln!(out)
+    })
+}
+
+/// [`write`] for what need not be in memory as a whole.
+pub fn write_by(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Stop> {
     let target = real(path);
     let written = match is_device(&target) {
         // A pipe or a terminal has no place to move a file to, and nothing to lose.
-        true => fs::write(&target, content),
+        true => File::options()
+            .write(true)
+            .open(&target)
+            .and_then(|file| fill(file, content).map(drop)),
         false => replace(&target, content),
     };
     written.map_err(|error| Stop::Failed(format!("{}: {error}", path.display())))
 }
 
-fn replace(path: &Path, content: &str) -> io::Result<()> {
+type Content<'a> = &'a mut dyn Write;
+
+fn replace(path: &Path, content: impl FnOnce(Content<'_>) -> io::Result<()>) -> io::Result<()> {
     let beside = beside(path);
-    let written = write_new(&beside, content).and_then(|()| fs::rename(&beside, path));
+    let written = File::create(&beside)
+        .and_then(|file| fill(file, content)?.sync_all())
+        .and_then(|()| fs::rename(&beside, path));
     if written.is_err() {
         // It may not even be there; the error that counts is the first.
         let _ = fs::remove_file(&beside);
@@ -53,10 +77,10 @@ fn is_device(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|of| !of.is_file() && !of.is_dir())
 }
 
-fn write_new(path: &Path, content: &str) -> io::Result<()> {
-    let mut file = File::create(path)?;
-    file.write_all(content.as_bytes())?;
-    file.sync_all()
+fn fill(file: File, content: impl FnOnce(Content<'_>) -> io::Result<()>) -> io::Result<File> {
+    let mut out = BufWriter::new(file);
+    content(&mut out)?;
+    out.into_inner().map_err(io::IntoInnerError::into_error)
 }
 
 fn folder(path: &Path) -> &Path {

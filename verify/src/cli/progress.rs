@@ -1,13 +1,34 @@
 //! The progress bar on standard error.
 
-use indicatif::{ProgressBar, ProgressStyle};
-use regge_study::{Event, Study};
-use std::time::Duration;
+use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
+use regge_study::{Case, Event, Phase, Study};
+use std::time::{Duration, Instant};
 
 /// A bar that is as long as a study is work; it hides by itself where standard error is no terminal.
 pub struct Progress {
     bar: ProgressBar,
+    start: Instant,
+    /// The work of the cases that are done, and of those that an earlier run did.
+    done: u64,
+    earlier: u64,
+    /// The phase of the case at hand.
+    phase: Option<(Case, Phase)>,
 }
+
+/// The share of a case's work that is done when a phase begins: rounded from rows of k = 4 in space.
+fn share(phase: Phase) -> f64 {
+    match phase {
+        Phase::Mesh => 0.0,
+        Phase::SetUp => 0.02,
+        Phase::Interpolate => 0.1,
+        Phase::Load => 0.15,
+        Phase::Solve => 0.3,
+        Phase::Norm => 0.97,
+    }
+}
+
+/// The residual that ends the solver's iteration, about.
+const LAST_RESIDUAL: f64 = 1e-8;
 
 impl Progress {
     /// For a study.
@@ -19,19 +40,65 @@ impl Progress {
             bar.set_style(style.progress_chars("=> "));
         }
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self { bar }
+        Self {
+            bar,
+            start: Instant::now(),
+            done: 0,
+            earlier: 0,
+            phase: None,
+        }
     }
 
     /// Shows what goes on.
-    pub fn show(&self, study: &Study, event: Event<'_>) {
+    pub fn show(&mut self, study: &Study, event: Event<'_>) {
         match event {
             Event::Phase(case, phase) => {
-                self.bar
-                    .set_message(format!("r = {}, k = {}: {phase}", case.degree, case.level));
+                self.phase = Some((case, phase));
+                self.put(study, case, share(phase), phase.to_string());
             }
-            Event::Done(case) => self.bar.inc(study.work(case)),
+            Event::Step(case, step) => {
+                // The residual falls by about the same factor in every step.
+                let part = (step.residual.ln() / LAST_RESIDUAL.ln()).clamp(0.0, 1.0);
+                let (from, to) = (share(Phase::Solve), share(Phase::Norm));
+                let what = format!(
+                    "solution, step {}, residual {:.1e}",
+                    step.number, step.residual
+                );
+                self.put(study, case, from + part * (to - from), what);
+            }
+            Event::Done(case) => {
+                self.done += study.work(case);
+                if self.phase.take().is_none() {
+                    self.earlier += study.work(case);
+                }
+                self.bar.set_position(self.done);
+            }
             Event::Row(_) => {}
         }
+    }
+
+    fn put(&self, study: &Study, case: Case, share: f64, what: String) {
+        let position = self.done + (share * study.work(case) as f64) as u64;
+        self.bar.set_position(position);
+        let left = match (position - self.earlier) as f64 {
+            // Nothing to judge by yet.
+            0.0 => String::new(),
+            here => {
+                let rest = self
+                    .bar
+                    .length()
+                    .unwrap_or(position)
+                    .saturating_sub(position);
+                let seconds = self.start.elapsed().as_secs_f64() * rest as f64 / here;
+                format!(
+                    "; about {:#} left",
+                    HumanDuration(Duration::from_secs_f64(seconds))
+                )
+            }
+        };
+        let Case { degree, level } = case;
+        self.bar
+            .set_message(format!("r = {degree}, k = {level}: {what}{left}"));
     }
 
     /// Prints with the bar out of the way.

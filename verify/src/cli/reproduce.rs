@@ -3,6 +3,7 @@
 use super::job::Job;
 use super::stop::Stop;
 use super::values::{Levels, named};
+use super::{journal, memory};
 use clap::ValueEnum;
 use regge::metrics::Metric;
 use regge_study::{
@@ -35,7 +36,7 @@ Examples:
 pub struct Args {
     /// Which one
     target: Target,
-    /// Levels k: 0..=7, 0..8 or 3 [default: table1 0..=7; table2 0..=3; figure2 0..=3, for r = 2 0..=2]
+    /// Levels k: 0..=7, 0..8 or 3 [default: all of the paper's, table1 0..=7, table2 and figure2 0..=6]
     #[arg(long, value_name = "A..=B")]
     levels: Option<Levels>,
     /// Degrees r of the Regge metric
@@ -66,6 +67,10 @@ pub struct Args {
     /// Where the picture goes [default: results/TARGET.svg]
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    journal: journal::Args,
+    #[command(flatten)]
+    memory: memory::Args,
 }
 
 /// The seed that is used unless told otherwise: any will do, all numbers in this project's documents are of this one.
@@ -125,11 +130,10 @@ impl Target {
         }
     }
 
-    fn default_levels(self, degree: usize) -> std::ops::RangeInclusive<u32> {
+    fn default_levels(self) -> std::ops::RangeInclusive<u32> {
         match self {
             Self::Table1 => 0..=7,
-            Self::Figure2 if degree >= 2 => 0..=2,
-            Self::Table2 | Self::Figure2 => 0..=3,
+            Self::Table2 | Self::Figure2 => 0..=6,
         }
     }
 
@@ -163,6 +167,8 @@ impl Args {
             json: Some(file(&self.json, "json")?),
             plot: Some(file(&self.plot, "svg")?),
             study,
+            journal: self.journal,
+            memory: self.memory,
         };
         job.run()
     }
@@ -193,13 +199,13 @@ impl Args {
     }
 
     fn cases(&self) -> Vec<Case> {
-        let levels = |degree: usize| match &self.levels {
+        let levels = || match &self.levels {
             Some(levels) => levels.0.clone(),
-            None => self.target.default_levels(degree).collect(),
+            None => self.target.default_levels().collect(),
         };
         let of_degree = |&degree: &usize| {
             let case = move |level| Case { degree, level };
-            levels(degree).into_iter().map(case)
+            levels().into_iter().map(case)
         };
         self.degrees.iter().flat_map(of_degree).collect()
     }

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 pub fn head(out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "{:>2} {:>2}  {:20} {:>8} {:>9} {:>8}  {:>10} {:>6}  {:>10} {:>6} {:>7} {:>8}",
+        "{:>2} {:>2}  {:20} {:>8} {:>9} {:>8}  {:>10} {:>6}  {:>10} {:>6} {:>7} {:>8}  solver",
         "r",
         "k",
         "interpolant",
@@ -25,11 +25,11 @@ pub fn head(out: &mut dyn Write) -> io::Result<()> {
     )
 }
 
-/// Writes a row; ratio is that of our error to the printed one.
+/// Writes a row; ratio is that of our error to the printed one, the solver that of the biharmonic problem.
 pub fn line(out: &mut dyn Write, study: &Study, row: &Row) -> io::Result<()> {
     writeln!(
         out,
-        "{:>2} {:>2}  {:20} {:>8} {:>9} {:>8.4}  {:>10} {:>6}  {:>10} {:>6} {:>7} {:>8.2}",
+        "{:>2} {:>2}  {:20} {:>8} {:>9} {:>8.4}  {:>10} {:>6}  {:>10} {:>6} {:>7} {:>8.2}  {}",
         row.degree,
         row.level,
         row.interpolant,
@@ -41,7 +41,11 @@ pub fn line(out: &mut dyn Write, study: &Study, row: &Row) -> io::Result<()> {
         row.printed.map_or("-".into(), |e| format!("{e:.4e}")),
         number(printed_order(study.metric, row, study), 2),
         number(row.printed.map(|e| row.error / e), 3),
-        row.seconds
+        row.seconds,
+        row.steps.map_or(row.solver.clone(), |steps| format!(
+            "{}, {steps} steps",
+            row.solver
+        ))
     )
 }
 

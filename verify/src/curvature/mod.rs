@@ -1,33 +1,37 @@
 //! From a mesh and a metric, or a mesh and edge lengths, to the distributional curvature.
 
+mod action;
+mod einstein;
 mod evaluate;
-mod local;
+mod fields;
+mod given;
+mod norm;
 mod report;
 mod settle;
+mod simplices;
 mod smooth;
+mod sums;
 
+pub use action::{ActionReport, EdgeDerivative, action};
+pub use einstein::{EinsteinReport, EinsteinSums, einstein};
+pub use fields::Fields;
+pub use given::{Phase, Source};
 pub use report::{
-    CurvatureReport, FaceJump, HingeDefect, NormError, QuadratureUsed, TestSums, VertexSums,
+    CurvatureReport, FaceJump, HingeDefect, NormError, Projected, ProjectedCurvature,
+    QuadratureUsed, TestSums, VertexSums,
 };
 
 use crate::input::InputError;
 use crate::input::mesh::MeshFile;
-use crate::input::metric::MetricFile;
-use crate::input::read_lengths;
-use evaluate::Evaluation;
-use regge::quadrature::Rule;
-use regge::regge::ReggeSpace;
-use regge::smooth::Smooth;
-use regge_study::{Interpolation, Named, ProjectionKind};
-use std::path::PathBuf;
+use evaluate::Curvature;
 
-/// Where the Regge metric comes from.
-#[derive(Clone, Debug)]
-pub enum Source {
-    /// A smooth metric, to be interpolated.
-    Metric(Box<MetricFile>, Interpolation),
-    /// A table of edge lengths.
-    Lengths(PathBuf),
+/// What is done on the boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boundary {
+    /// Nothing, as in the paper: test functions vanish there.
+    None,
+    /// The terms of Gauss and Bonnet are added, and all test functions are used.
+    GaussBonnet,
 }
 
 /// What is to be computed.
@@ -41,6 +45,12 @@ pub struct Request {
     pub test_degree: Option<usize>,
     /// The error in H⁻² too?
     pub norm: bool,
+    /// The boundary's part.
+    pub boundary: Boundary,
+    /// Hinges, faces, cells and R_h one by one?
+    pub details: bool,
+    /// What a picture needs?
+    pub fields: bool,
 }
 
 /// Why there is no curvature.
@@ -76,62 +86,16 @@ pub fn curvature(
     mesh: &MeshFile,
     source: &Source,
     request: &Request,
+    phase: Phase<'_>,
 ) -> Result<CurvatureReport, CurvatureError> {
-    if let Source::Metric(metric, _) = source
-        && metric.dimension != mesh.dimension
-    {
-        return Err(CurvatureError::Input(format!(
-            "the metric has dimension {}, the mesh {} has {}",
-            metric.dimension,
-            mesh.file.display(),
-            mesh.dimension
-        )));
+    if request.fields {
+        fields::check(mesh)?;
     }
-    match mesh.dimension {
-        2 => in_dimension::<2>(mesh, source, request),
-        3 => in_dimension::<3>(mesh, source, request),
-        4 => in_dimension::<4>(mesh, source, request),
-        n => Err(CurvatureError::Input(format!(
-            "{}: dimension {n}; the program is built for 2, 3 and 4",
-            mesh.file.display()
-        ))),
-    }
-}
-
-fn in_dimension<const N: usize>(
-    file: &MeshFile,
-    source: &Source,
-    request: &Request,
-) -> Result<CurvatureReport, CurvatureError> {
-    match source {
-        Source::Metric(metric, interpolation) => {
-            by_metric::<N>(file, metric, *interpolation, request)
-        }
-        Source::Lengths(lengths) => {
-            let mesh = file.abstract_mesh::<N>()?;
-            let space = ReggeSpace::new(&mesh, 0);
-            let squares = read_lengths(lengths, &mesh)?;
-            let g_h = space.function(squares).map_err(failed)?;
-            Evaluation::new(file, &g_h, request).report("lengths", None)
-        }
-    }
-}
-
-fn by_metric<const N: usize>(
-    file: &MeshFile,
-    metric: &MetricFile,
-    interpolation: Interpolation,
-    request: &Request,
-) -> Result<CurvatureReport, CurvatureError> {
-    let mesh = file.mesh::<N>()?;
-    let g = Smooth::new(&mesh, metric.metric()).map_err(input)?;
-    // Where the interpolant looks at g, and the curvature at g_h, to begin with.
-    smooth::check_formula(&g, &Rule::new(N, 2 * request.degree + 2)).map_err(input)?;
-    smooth::check_edges(&g, request.degree).map_err(input)?;
-    let space = ReggeSpace::new(&mesh, request.degree);
-    let g_h = interpolation.apply(&space, &g, ProjectionKind::Exact);
-    let g_h = g_h.map_err(failed)?;
-    let exact = metric.exact_scalar_curvature.as_ref();
-    let evaluation = Evaluation::new(file, &g_h, request);
-    evaluation.report(interpolation.name_of(), Some((&g, exact)))
+    given::on_metric(
+        mesh,
+        source,
+        request.degree,
+        phase,
+        &Curvature { request, phase },
+    )
 }

@@ -1,9 +1,12 @@
 //! What `regge curvature` writes.
 
+use super::fields::Fields;
+use super::settle::Settled;
+use crate::input::mesh::Group;
 use serde::Serialize;
 
 /// The curvature of a Regge metric on a mesh from a file.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct CurvatureReport {
     /// The version of the program.
     pub version: &'static str,
@@ -21,30 +24,37 @@ pub struct CurvatureReport {
     pub interpolant: String,
     /// The quadrature of the sums.
     pub quadrature: QuadratureUsed,
-    /// What boundary terms are in the sums: `none`, the paper's choice.
+    /// What boundary terms are in the sums: `none`, the paper's choice, or `gauss-bonnet`.
     pub boundary: &'static str,
-    /// Σ_T ∫ R + 2 Σ̊_F ∫ ⟦H⟧ + 2 Σ̊_S ∫ Θ_S: the functional at v = 1.
+    /// Σ_T ∫ R + 2 Σ̊_F ∫ ⟦H⟧ + 2 Σ̊_S ∫ Θ_S, with the boundary terms if there are: the functional at v = 1.
     pub total_curvature: f64,
     /// Σ_k (−1)^k |𝒯^k|.
     pub euler_characteristic: i64,
-    /// Total curvature − 4πχ, for closed surfaces.
+    /// Total curvature − 4πχ, for surfaces that are closed or have their boundary terms.
     pub gauss_bonnet_residual: Option<f64>,
     /// The error in H⁻², if asked for.
     pub hm2: Option<NormError>,
-    /// The hat functions of the interior vertices.
+    /// The physical groups of the mesh file.
+    pub physical_groups: Vec<Group>,
+    /// The hat functions of the interior vertices; of all of them where there are boundary terms.
     pub vertices: Vec<VertexSums>,
-    /// All test functions of the degree asked for that vanish on the boundary.
+    /// All test functions of the degree asked for, as far as they are tested.
     pub test_functions: Option<Vec<TestSums>>,
+    /// R_h^(q).
+    pub r_h: Option<ProjectedCurvature>,
     /// The interior hinges.
-    pub hinges: Vec<HingeDefect>,
+    pub hinges: Option<Vec<HingeDefect>>,
     /// The interior faces.
-    pub faces: Vec<FaceJump>,
+    pub faces: Option<Vec<FaceJump>>,
     /// ∫ R ω of the cells, in the order of the file.
-    pub cells: Vec<f64>,
+    pub cells: Option<Vec<f64>>,
+    /// What there is to be seen, if that was asked for.
+    #[serde(skip)]
+    pub fields: Option<Fields>,
 }
 
 /// By which order was integrated, and what the last raise of it changed.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct QuadratureUsed {
     /// The order of the rules on cells, faces and hinges.
     pub order: usize,
@@ -52,6 +62,35 @@ pub struct QuadratureUsed {
     pub change: Option<f64>,
     /// Is that below what was wanted? null if the order was given.
     pub settled: Option<bool>,
+}
+
+impl QuadratureUsed {
+    /// How something settled that may still change by `limit`.
+    pub(super) fn of<T>(settled: &Settled<T>, limit: f64) -> Self {
+        Self {
+            order: settled.order,
+            change: settled.change,
+            settled: settled.change.map(|change| change <= limit),
+        }
+    }
+}
+
+/// R_h^(q): the L²(Ω, g_h)-projection of the distributional curvature onto Lagrange functions of degree q.
+#[derive(Clone, Debug, Serialize)]
+pub struct ProjectedCurvature {
+    /// q.
+    pub degree: usize,
+    /// Its coefficients in Bernstein's basis; those of vertices are its values there.
+    pub coefficients: Vec<Projected>,
+}
+
+/// One coefficient.
+#[derive(Clone, Debug, Serialize)]
+pub struct Projected {
+    /// The vertices of the simplex that carries the basis function.
+    pub simplex: Vec<u32>,
+    /// The coefficient.
+    pub value: f64,
 }
 
 /// ‖(Rω)_dist(g_h) − (Rω)(g)‖ in H⁻².
@@ -76,6 +115,9 @@ pub struct VertexSums {
     pub face: f64,
     /// Σ_S.
     pub hinge: f64,
+    /// The boundary terms, if they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<f64>,
     /// Their sum.
     pub total: f64,
 }
@@ -91,6 +133,9 @@ pub struct TestSums {
     pub face: f64,
     /// Σ_S.
     pub hinge: f64,
+    /// The boundary terms, if they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<f64>,
     /// Their sum.
     pub total: f64,
 }

@@ -22,6 +22,26 @@ pub struct Settled<T> {
     pub change: Option<f64>,
 }
 
+impl<T> Settled<T> {
+    /// By an order that was asked for.
+    pub fn given(value: T, order: usize) -> Self {
+        Self {
+            value,
+            order,
+            change: None,
+        }
+    }
+
+    /// By an order that is exact for what is integrated.
+    pub fn exact(value: T, order: usize) -> Self {
+        Self {
+            value,
+            order,
+            change: Some(0.0),
+        }
+    }
+}
+
 /// Computes by rising orders from `first` on until `change` is at most `limit`, or the orders are exhausted.
 ///
 /// # Errors

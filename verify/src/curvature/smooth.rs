@@ -1,6 +1,7 @@
 //! ∫ R(g) v ω of the smooth metric, where R(g) is stated by a formula.
 
 use crate::input::expression::Expression;
+use rayon::prelude::*;
 use regge::field::TensorField;
 use regge::jet::Jet2;
 use regge::lagrange::Lagrange;
@@ -72,6 +73,29 @@ pub fn check_formula<M: SmoothTensor<N>, const N: usize>(
     })
 }
 
+/// Is the formula finite and positive definite at the points of a rule in every cell?
+///
+/// # Errors
+/// As [`check_formula`].
+pub fn check_values<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    rule: &Rule,
+) -> Result<(), Error> {
+    check_at(g, rule.points(), |local, table, q| {
+        finite_value(g, local, table, q)
+    })
+}
+
+fn finite_value<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<'_, M, N>,
+    local: &AffineMap<N>,
+    table: &Vec<[f64; N]>,
+    q: usize,
+) -> Option<Mat<f64, N>> {
+    let value = g.value(local, table, q);
+    value.iter().all(|x: &f64| x.is_finite()).then_some(value)
+}
+
 /// Is the formula finite and positive definite on the edges, at the points where interpolants of degree r look?
 ///
 /// # Errors
@@ -84,8 +108,7 @@ pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
     subsets(N + 1, 2).iter().try_for_each(|edge| {
         let points = rule.points().embed(edge, N + 1);
         check_at(g, &points, |local, table, q| {
-            let value = g.value(local, table, q);
-            value.iter().all(|x: &f64| x.is_finite()).then_some(value)
+            finite_value(g, local, table, q)
         })
     })
 }
@@ -94,24 +117,24 @@ pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
 fn check_at<M: SmoothTensor<N>, const N: usize>(
     g: &Smooth<'_, M, N>,
     points: &Points,
-    finite: impl Fn(&AffineMap<N>, &Vec<[f64; N]>, usize) -> Option<Mat<f64, N>>,
+    finite: impl Fn(&AffineMap<N>, &Vec<[f64; N]>, usize) -> Option<Mat<f64, N>> + Sync,
 ) -> Result<(), Error> {
     let table = TensorField::<f64, N>::tabulate(g, points);
-    for cell in 0..g.mesh().cells() {
+    let on_cell = |cell: usize| {
         let local = TensorField::<f64, N>::on_cell(g, cell);
-        for q in 0..points.len() {
-            let refuse = |what: String| {
-                let x = place(g, cell, points.lambda(q));
-                let reason = format!("the metric {what} at x = {x:?}: check the formula there");
-                Err(Error::Cell { cell, reason })
+        (0..points.len()).find_map(|q| {
+            let what = match finite(&local, &table, q) {
+                None => "is not finite, or divides by zero,".to_string(),
+                Some(value) => {
+                    let pivot = indefinite_pivot(&value)?;
+                    format!("is not positive definite (pivot {pivot:e})")
+                }
             };
-            let Some(value) = finite(&local, &table, q) else {
-                return refuse("is not finite, or divides by zero,".into());
-            };
-            if let Some(pivot) = indefinite_pivot(&value) {
-                return refuse(format!("is not positive definite (pivot {pivot:e})"));
-            }
-        }
-    }
-    Ok(())
+            let x = place(g, cell, points.lambda(q));
+            let reason = format!("the metric {what} at x = {x:?}: check the formula there");
+            Some(Error::Cell { cell, reason })
+        })
+    };
+    let cells = (0..g.mesh().cells()).into_par_iter();
+    cells.find_map_first(on_cell).map_or(Ok(()), Err)
 }

@@ -20,7 +20,16 @@ const FLAT: f64 = 1e-13;
 /// Names the line with an unknown vertex, an edge that is not there, given twice with other lengths, no positive
 /// length; the edge that is missing; all cells that violate the triangle inequality.
 pub fn read_lengths<const N: usize>(file: &Path, mesh: &Mesh<N>) -> Result<Vec<f64>, InputError> {
-    let squares = parse(&bytes_of(file)?, mesh).map_err(|fault| fault.of(file))?;
+    lengths_from(file, &bytes_of(file)?, mesh)
+}
+
+/// [`read_lengths`] of a file that is in memory.
+pub(super) fn lengths_from<const N: usize>(
+    file: &Path,
+    bytes: &[u8],
+    mesh: &Mesh<N>,
+) -> Result<Vec<f64>, InputError> {
+    let squares = parse(bytes, mesh).map_err(|fault| fault.of(file))?;
     match violations(mesh, &squares) {
         None => Ok(squares),
         Some(reason) => Err(InputError::new(file, Place::Whole, reason)),

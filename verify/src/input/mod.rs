@@ -8,6 +8,7 @@ pub mod expression;
 mod lengths;
 pub mod mesh;
 pub mod metric;
+pub mod trial;
 
 pub use error::{InputError, Place};
 pub use lengths::read_lengths;

@@ -4,6 +4,7 @@
 //! observer is told what goes on.
 
 mod interpolation;
+mod memory;
 mod named;
 pub mod printed;
 mod printed_rules;
@@ -17,7 +18,7 @@ pub use interpolation::{Interpolation, ProjectionKind};
 pub use named::Named;
 pub use printed_rules::printed_rule;
 pub use quantity::Quantity;
-pub use report::Report;
+pub use report::{Make, Report};
 pub use row::{ROUNDING, Row, observed_order};
 pub use rules::{
     LoadQuadrature, Orders, Quadrature, QuadratureReport, StudyRules, converged_order,

@@ -1,6 +1,6 @@
 //! A study as one JSON object.
 
-use super::rules::QuadratureReport;
+use super::rules::{LoadQuadrature, QuadratureReport};
 use super::{Case, Named, Row, Study};
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +21,44 @@ pub struct Report {
     pub seed: u64,
     /// Line by line.
     pub rows: Vec<Row>,
+}
+
+/// What a row depends on besides its degree, level and interpolant: rows of the same make belong together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Make {
+    /// The smooth metric's name.
+    pub metric: String,
+    /// N.
+    pub dimension: usize,
+    /// The name of what was measured in H⁻².
+    pub quantity: String,
+    /// The local projection inside the averages.
+    pub projection: String,
+    /// `converged`, `as-printed` or `order` with the number, and the order of the norm's rule if one was asked for.
+    pub quadrature: String,
+    /// Where the meshes' seeds come from.
+    pub seed: u64,
+}
+
+impl Make {
+    /// Of a study.
+    pub fn of(study: &Study) -> Self {
+        let load = match study.quadrature.load {
+            LoadQuadrature::Order(order) => format!("order {order}"),
+            _ => study.quadrature.kind().into(),
+        };
+        Self {
+            metric: study.metric.name_of().into(),
+            dimension: study.dimension,
+            quantity: study.quantity.name_of().into(),
+            projection: study.projection.name_of().into(),
+            quadrature: match study.quadrature.norm {
+                Some(norm) => format!("{load}, norm {norm}"),
+                None => load,
+            },
+            seed: study.seed,
+        }
+    }
 }
 
 impl Report {

@@ -29,6 +29,12 @@ pub struct Row {
     pub printed: Option<f64>,
     /// Wall-clock time. What several interpolants share counts for the first of them.
     pub seconds: f64,
+    /// What solved the biharmonic problem: `cholesky` or `cg`; empty in reports of before there was a choice.
+    #[serde(default)]
+    pub solver: String,
+    /// How many steps it took, if it is iterative.
+    #[serde(default)]
+    pub steps: Option<usize>,
 }
 
 /// Below this a norm is rounding, for the metrics here are of size one: it has no order.
@@ -41,6 +47,12 @@ pub fn observed_order(before: (f64, f64), now: (f64, f64)) -> Option<f64> {
 }
 
 impl Row {
+    /// Is it of the same degree, level and interpolant?
+    pub fn same_case(&self, other: &Self) -> bool {
+        (self.degree, self.level) == (other.degree, other.level)
+            && self.interpolant == other.interpolant
+    }
+
     /// The order against the last of the rows before that belongs to the same sequence.
     pub(super) fn set_order(&mut self, before: &[Self]) {
         let same = |row: &&Self| row.degree == self.degree && row.interpolant == self.interpolant;

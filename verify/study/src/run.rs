@@ -4,7 +4,7 @@ use super::{Case, Interpolation, Named, Row, Study, StudyRules};
 use crate::printed;
 use regge::Error;
 use regge::mesh::{Mesh, SplitMix64};
-use regge::norm::HMinus2;
+use regge::norm::{HMinus2, Step};
 use regge::regge::ReggeSpace;
 use regge::smooth::Smooth;
 use std::fmt;
@@ -15,13 +15,15 @@ use std::time::Instant;
 pub enum Phase {
     /// Makes the mesh.
     Mesh,
-    /// Factorises the biharmonic system.
-    Factorise,
+    /// Sets up the solver of the biharmonic problem.
+    SetUp,
     /// Makes g_h.
     Interpolate,
     /// Integrates the functional.
     Load,
-    /// Solves and takes the norm.
+    /// Solves the biharmonic problem.
+    Solve,
+    /// Takes the norm.
     Norm,
 }
 
@@ -29,9 +31,10 @@ impl fmt::Display for Phase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Mesh => "mesh",
-            Self::Factorise => "factorisation",
+            Self::SetUp => "set-up of the solver",
             Self::Interpolate => "interpolation",
             Self::Load => "functional",
+            Self::Solve => "solution",
             Self::Norm => "norm",
         })
     }
@@ -42,6 +45,8 @@ impl fmt::Display for Phase {
 pub enum Event<'a> {
     /// A phase of a case begins.
     Phase(Case, Phase),
+    /// A step of an iterative solver.
+    Step(Case, Step),
     /// A row is there.
     Row(&'a Row),
     /// All rows of a case are there.
@@ -88,13 +93,25 @@ impl Study {
     /// # Errors
     /// The first thing that fails; rows before have been shown to the observer.
     pub fn run(&self, observe: &mut dyn FnMut(Event<'_>)) -> Result<Vec<Row>, Failure> {
+        self.resume(&[], observe)
+    }
+
+    /// Computes the rows that are not among those of an earlier run, which the observer sees in their places.
+    ///
+    /// # Errors
+    /// As [`Study::run`].
+    pub fn resume(
+        &self,
+        earlier: &[Row],
+        observe: &mut dyn FnMut(Event<'_>),
+    ) -> Result<Vec<Row>, Failure> {
         self.check()
             .map_err(|error| Failure { case: None, error })?;
         let mut rows = Vec::new();
         for &case in &self.cases {
             let done = match self.dimension {
-                2 => self.run_case::<2>(case, &mut rows, observe),
-                _ => self.run_case::<3>(case, &mut rows, observe),
+                2 => self.run_case::<2>(case, earlier, &mut rows, observe),
+                _ => self.run_case::<3>(case, earlier, &mut rows, observe),
             };
             done.map_err(|error| Failure {
                 case: Some(case),
@@ -108,61 +125,99 @@ impl Study {
     fn run_case<const N: usize>(
         &self,
         case: Case,
+        earlier: &[Row],
         rows: &mut Vec<Row>,
         observe: &mut dyn FnMut(Event<'_>),
     ) -> Result<(), Error> {
-        let mut start = Instant::now();
-        observe(Event::Phase(case, Phase::Mesh));
-        let mesh = mesh::<N>(case.level, mesh_seed(self.seed, case.level))?;
-        observe(Event::Phase(case, Phase::Factorise));
-        let norm = HMinus2::new(&mesh, case.degree + 2)?;
-        let rules = self.quadrature.rules::<N>(case)?;
-        for &interpolant in &self.interpolants {
-            let mut phase = |phase| observe(Event::Phase(case, phase));
-            let error = self.norm_of_quantity(case, interpolant, &norm, &rules, &mut phase)?;
-            let mut row = self.row(case, interpolant, &mesh, error);
-            row.seconds = start.elapsed().as_secs_f64();
+        let known = |interpolant: Interpolation| {
+            let name = interpolant.name_of();
+            let same = |row: &&Row| (row.degree, row.level) == (case.degree, case.level);
+            earlier
+                .iter()
+                .filter(same)
+                .find(|row| row.interpolant == name)
+        };
+        let mut emit = |mut row: Row, observe: &mut dyn FnMut(Event<'_>)| {
             row.set_order(rows);
             observe(Event::Row(&row));
             rows.push(row);
+        };
+        if self.interpolants.iter().all(|&i| known(i).is_some()) {
+            let all = self.interpolants.iter().filter_map(|&i| known(i));
+            all.for_each(|row| emit(row.clone(), observe));
+            return Ok(());
+        }
+        let mut start = Instant::now();
+        observe(Event::Phase(case, Phase::Mesh));
+        let mesh = mesh::<N>(case.level, mesh_seed(self.seed, case.level))?;
+        observe(Event::Phase(case, Phase::SetUp));
+        let norm = HMinus2::new(&mesh, case.degree + 2)?;
+        let rules = self.quadrature.rules::<N>(case)?;
+        for &interpolant in &self.interpolants {
+            if let Some(row) = known(interpolant) {
+                emit(row.clone(), observe);
+                continue;
+            }
+            let mut row = self.row(case, interpolant, &norm);
+            self.compute(case, interpolant, &norm, &rules, &mut row, observe)?;
+            row.seconds = start.elapsed().as_secs_f64();
+            emit(row, observe);
             start = Instant::now();
         }
         Ok(())
     }
 
-    /// The number that all is about.
-    fn norm_of_quantity<const N: usize>(
+    /// The number that all is about, and how it was found.
+    fn compute<const N: usize>(
         &self,
         case: Case,
         interpolant: Interpolation,
         norm: &HMinus2<'_, N>,
         rules: &StudyRules,
-        phase: &mut dyn FnMut(Phase),
-    ) -> Result<f64, Error> {
-        let mesh = norm.space().mesh();
-        let g = Smooth::new(mesh, self.metric)?;
-        let space = ReggeSpace::new(mesh, case.degree);
-        phase(Phase::Interpolate);
-        let g_h = interpolant.apply(&space, &g, self.projection)?;
-        phase(Phase::Load);
-        let load = self.quantity.load(&g, &g_h, norm.space(), &rules.load);
-        phase(Phase::Norm);
-        let error = norm.norm(&load, rules.norm.as_ref())?.total();
-        if error.is_finite() {
-            Ok(error)
-        } else {
-            Err(Error::Solver(format!("the norm is {error}")))
+        row: &mut Row,
+        observe: &mut dyn FnMut(Event<'_>),
+    ) -> Result<(), Error> {
+        let load = self.load(case, interpolant, norm, rules, observe)?;
+        observe(Event::Phase(case, Phase::Solve));
+        let solution = norm.solve_watched(&load, &mut |step| {
+            row.steps = Some(step.number);
+            observe(Event::Step(case, step));
+        })?;
+        drop(load);
+        observe(Event::Phase(case, Phase::Norm));
+        row.error = norm.norm_of(&solution, rules.norm.as_ref())?.total();
+        match row.error.is_finite() {
+            true => Ok(()),
+            false => Err(Error::Solver(format!("the norm is {}", row.error))),
         }
     }
 
-    /// The row without what only the sequence knows.
+    /// The functional; g_h is gone when it is there.
+    fn load<const N: usize>(
+        &self,
+        case: Case,
+        interpolant: Interpolation,
+        norm: &HMinus2<'_, N>,
+        rules: &StudyRules,
+        observe: &mut dyn FnMut(Event<'_>),
+    ) -> Result<Vec<f64>, Error> {
+        let mesh = norm.space().mesh();
+        let g = Smooth::new(mesh, self.metric)?;
+        let space = ReggeSpace::new(mesh, case.degree);
+        observe(Event::Phase(case, Phase::Interpolate));
+        let g_h = interpolant.apply(&space, &g, self.projection)?;
+        observe(Event::Phase(case, Phase::Load));
+        Ok(self.quantity.load(&g, &g_h, norm.space(), &rules.load))
+    }
+
+    /// The row before anything is computed.
     fn row<const N: usize>(
         &self,
         case: Case,
         interpolant: Interpolation,
-        mesh: &Mesh<N>,
-        error: f64,
+        norm: &HMinus2<'_, N>,
     ) -> Row {
+        let mesh = norm.space().mesh();
         Row {
             dimension: N,
             degree: case.degree,
@@ -172,11 +227,13 @@ impl Study {
             cells: mesh.cells(),
             ndof: ReggeSpace::new(mesh, case.degree).len(),
             mesh_size: mesh.mesh_size(),
-            error,
+            error: f64::NAN,
             order: None,
             printed: printed::series(self.metric, N, self.quantity, case.degree, interpolant)
                 .and_then(|series| series.error(case.level)),
             seconds: 0.0,
+            solver: norm.solver().into(),
+            steps: None,
         }
     }
 }

@@ -24,9 +24,14 @@ pub fn write(folder: &Path, name: &str, text: &str) {
 
 /// Runs `regge curvature`.
 pub fn regge(folder: &Path, arguments: &str) -> Output {
+    run(folder, "curvature", arguments)
+}
+
+/// Runs a command.
+pub fn run(folder: &Path, name: &str, arguments: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_regge"));
     let arguments = arguments.split_whitespace();
-    let command = command.current_dir(folder).arg("curvature").args(arguments);
+    let command = command.current_dir(folder).arg(name).args(arguments);
     command.output().expect("the program runs")
 }
 

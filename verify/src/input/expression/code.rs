@@ -91,26 +91,56 @@ impl Function {
     }
 }
 
-/// The value of the code at x.
-pub fn run<S: Real>(code: &[Op], x: &[S]) -> S {
-    let mut stack: Vec<S> = Vec::with_capacity(8);
+/// How many values the code puts on the stack at a time.
+pub fn depth(code: &[Op]) -> usize {
+    let (mut top, mut most) = (0usize, 0);
     for op in code {
-        // The parser writes no code that takes more than there is.
-        let mut pop = || stack.pop().unwrap_or_else(S::zero);
+        match op {
+            Op::Constant(_) | Op::Coordinate(_) => top += 1,
+            Op::Negate | Op::Integer(_) | Op::Call(_) => {}
+            Op::Add | Op::Subtract | Op::Multiply | Op::Divide | Op::Power => top -= 1,
+        }
+        most = most.max(top);
+    }
+    most
+}
+
+/// Most formulas need no more, and no memory but this.
+const SMALL: usize = 8;
+
+/// The value at x of code that the parser wrote, of this [`depth`].
+pub fn run<S: Real>(code: &[Op], depth: usize, x: &[S]) -> S {
+    match depth {
+        0..=SMALL => run_on(&mut [S::zero(); SMALL], code, x),
+        _ => run_on(&mut vec![S::zero(); depth], code, x),
+    }
+}
+
+fn run_on<S: Real>(stack: &mut [S], code: &[Op], x: &[S]) -> S {
+    let mut top = 0;
+    for op in code {
         let value = match *op {
             Op::Constant(c) => S::from_f64(c),
             Op::Coordinate(i) => x[i],
-            Op::Negate => -pop(),
-            Op::Integer(n) => integer_power(pop(), n),
-            Op::Call(function) => function.of(pop()),
-            Op::Add | Op::Subtract | Op::Multiply | Op::Divide | Op::Power => {
-                let (b, a) = (pop(), pop());
-                binary(*op, a, b)
+            _ => {
+                // The parser writes no code that takes more than there is.
+                top -= 1;
+                let last = stack[top];
+                match *op {
+                    Op::Negate => -last,
+                    Op::Integer(n) => integer_power(last, n),
+                    Op::Call(function) => function.of(last),
+                    op => {
+                        top -= 1;
+                        binary(op, stack[top], last)
+                    }
+                }
             }
         };
-        stack.push(value);
+        stack[top] = value;
+        top += 1;
     }
-    stack.pop().unwrap_or_else(S::zero)
+    stack[0]
 }
 
 fn binary<S: Real>(op: Op, a: S, b: S) -> S {

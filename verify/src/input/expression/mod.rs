@@ -22,6 +22,7 @@ pub const LARGEST_LENGTH: usize = 16_384;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
     code: Vec<code::Op>,
+    depth: usize,
 }
 
 /// Why a text is no formula.
@@ -58,7 +59,8 @@ impl Expression {
     /// Names the column and what is wrong there.
     pub fn parse(text: &str, dimension: usize) -> Result<Self, ExpressionError> {
         let code = parse::parse(text, &Names::new(dimension))?;
-        Ok(Self { code })
+        let depth = code::depth(&code);
+        Ok(Self { code, depth })
     }
 
     /// The value at x.
@@ -66,6 +68,6 @@ impl Expression {
     /// # Panics
     /// If x has fewer coordinates than the formula was read for.
     pub fn at<S: Real>(&self, x: &[S]) -> S {
-        code::run(&self.code, x)
+        code::run(&self.code, self.depth, x)
     }
 }

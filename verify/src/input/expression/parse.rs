@@ -10,7 +10,7 @@
 //!
 //! So −x^2 = −(x^2), 2^3^2 = 2^(3^2), and 2^-1 is allowed.
 
-use super::code::{Function, Op, run};
+use super::code::{Function, Op, depth, run};
 use super::names::Names;
 use super::token::{Placed, Token, tokens};
 use super::{ExpressionError, LARGEST_DEPTH, LARGEST_LENGTH};
@@ -187,7 +187,7 @@ fn whole_number(code: &[Op]) -> Option<i32> {
     if code.iter().any(|op| matches!(op, Op::Coordinate(_))) {
         return None;
     }
-    let value = run::<f64>(code, &[]);
+    let value = run::<f64>(code, depth(code), &[]);
     // Beyond, the power is 0, 1 or ∞ anyway.
     (value.fract() == 0.0 && value.abs() <= 1024.0).then_some(value as i32)
 }

@@ -55,18 +55,30 @@ impl MeshFile {
         let points = self.points::<N>()?;
         self.check_duplicates(&points)?;
         match Mesh::new(points.clone(), &self.cells) {
-            Ok(mesh) => self.check_hanging(&points).map(|()| mesh),
+            Ok(mesh) => {
+                let outer = (0..mesh.count(N - 1)).filter(|&f| !mesh.is_interior(N - 1, f));
+                let corners = |f| {
+                    let vertices = mesh.vertices(N - 1, f);
+                    std::array::from_fn(|i| vertices[i] as usize)
+                };
+                self.check_hanging(&points, &outer.map(corners).collect::<Vec<_>>())?;
+                self.check_connected(&mesh).map(|()| mesh)
+            }
             Err(error) => {
                 if matches!(error, Error::NotAManifold { .. }) {
-                    self.check_hanging(&points)?;
+                    self.check_hanging(&points, &hanging::boundary_faces(&self.cells))?;
                 }
                 Err(self.refuse(&error))
             }
         }
     }
 
-    fn check_hanging<const N: usize>(&self, points: &[SVector<f64, N>]) -> Result<(), InputError> {
-        let Some((vertex, face)) = hanging::hanging(points, &self.cells) else {
+    fn check_hanging<const N: usize>(
+        &self,
+        points: &[SVector<f64, N>],
+        boundary: &[[usize; N]],
+    ) -> Result<(), InputError> {
+        let Some((vertex, face)) = hanging::hanging(points, boundary) else {
             return Ok(());
         };
         let reason = format!(
@@ -80,7 +92,32 @@ impl MeshFile {
     /// # Errors
     /// Names the cell or vertex that is no part of a manifold.
     pub fn abstract_mesh<const N: usize>(&self) -> Result<Mesh<N>, InputError> {
-        Mesh::new_abstract(self.vertices, &self.cells).map_err(|error| self.refuse(&error))
+        let mesh = Mesh::new_abstract(self.vertices, &self.cells);
+        let mesh = mesh.map_err(|error| self.refuse(&error))?;
+        self.check_connected(&mesh).map(|()| mesh)
+    }
+
+    /// One piece only: two would have nothing to do with each other, and may be a mistake.
+    fn check_connected<const N: usize>(&self, mesh: &Mesh<N>) -> Result<(), InputError> {
+        let (mut seen, mut left) = (vec![false; mesh.cells()], vec![0]);
+        seen[0] = true;
+        while let Some(cell) = left.pop() {
+            for &face in mesh.simplices_of(cell, N - 1) {
+                for side in mesh.star(N - 1, face as usize) {
+                    if !seen[side.cell] {
+                        seen[side.cell] = true;
+                        left.push(side.cell);
+                    }
+                }
+            }
+        }
+        let Some(cell) = seen.iter().position(|seen| !seen) else {
+            return Ok(());
+        };
+        let reason = format!(
+            "cell {cell} is not connected with cell 0: the mesh falls apart; give each part a file of its own"
+        );
+        Err(InputError::new(&self.file, self.cell_place(cell), reason))
     }
 
     /// The first N coordinates; the others must vanish.

@@ -114,6 +114,19 @@ impl<'a> Cursor<'a> {
         word.parse().map_err(|_| Fault::new(place, reason()))
     }
 
+    /// Text in double quotes, on one line.
+    pub fn quoted(&mut self) -> Result<String, Fault> {
+        self.skip_space();
+        let rest = &self.bytes[self.at..];
+        let line = rest.split(|b| *b == b'\n').next().unwrap_or_default();
+        let inside = line.strip_prefix(b"\"").unwrap_or_default();
+        let Some(end) = inside.iter().position(|b| *b == b'"') else {
+            return Err(self.fault("a name in double quotes is expected"));
+        };
+        self.at += end + 2;
+        Ok(String::from_utf8_lossy(&inside[..end]).into_owned())
+    }
+
     fn raw<const B: usize>(&mut self) -> Result<[u8; B], Fault> {
         let bytes = self.bytes.get(self.at..self.at + B);
         let Some(bytes) = bytes.and_then(|bytes| bytes.try_into().ok()) else {

@@ -8,12 +8,11 @@ use nalgebra::{DMatrix, DVector, SVector};
 /// How near, relative to the face, counts as on it.
 const NEAR: f64 = 1e-9;
 
-/// The first vertex that hangs, and the vertices of the face that it lies in.
+/// The first vertex of the boundary that hangs, and the vertices of the face that it lies in.
 pub fn hanging<const N: usize>(
     points: &[SVector<f64, N>],
-    cells: &[Vec<usize>],
+    faces: &[[usize; N]],
 ) -> Option<(usize, Vec<usize>)> {
-    let faces = boundary_faces::<N>(cells);
     let mut boundary: Vec<usize> = faces.iter().flatten().copied().collect();
     boundary.sort_by(|a, b| points[*a][0].total_cmp(&points[*b][0]).then(a.cmp(b)));
     boundary.dedup();
@@ -33,7 +32,7 @@ pub fn hanging<const N: usize>(
 }
 
 /// The faces of one cell only, each with ascending vertices.
-fn boundary_faces<const N: usize>(cells: &[Vec<usize>]) -> Vec<[usize; N]> {
+pub fn boundary_faces<const N: usize>(cells: &[Vec<usize>]) -> Vec<[usize; N]> {
     let mut faces: Vec<[usize; N]> = Vec::with_capacity(cells.len() * (N + 1));
     for cell in cells {
         for out in 0..=N {

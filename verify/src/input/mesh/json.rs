@@ -38,6 +38,7 @@ pub fn parse(bytes: &[u8]) -> Result<MeshFile, Fault> {
         vertices,
         coordinates,
         width: n,
+        groups: Vec::new(),
         vertex_places: Vec::new(),
         cell_places: Vec::new(),
         cells: raw.cells,

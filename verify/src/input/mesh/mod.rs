@@ -2,14 +2,15 @@
 
 mod build;
 mod cursor;
-mod elements;
 mod gmsh;
 mod hanging;
 mod json;
+mod kinds;
 #[cfg(test)]
 mod tests;
 
 use super::error::{Fault, InputError, Place, bytes_of};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// A mesh file that has been read, of whatever dimension, with the places of its parts.
@@ -27,8 +28,40 @@ pub struct MeshFile {
     pub width: usize,
     /// N+1 vertices a cell, by their index in the file.
     pub cells: Vec<Vec<usize>>,
+    /// The physical groups.
+    pub groups: Vec<Group>,
     vertex_places: Vec<Place>,
     cell_places: Vec<Place>,
+}
+
+/// A physical group of Gmsh's: what has been given one tag.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Group {
+    /// The dimension of its members.
+    pub dimension: usize,
+    /// Its tag.
+    pub tag: i32,
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// Its cells, if its members are cells.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub cells: Vec<u32>,
+    /// The vertices of its members, if they are of a lower dimension.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub simplices: Vec<Vec<usize>>,
+}
+
+impl MeshFile {
+    /// For each cell the tag of its first group; 0 where it has none.
+    pub fn cell_groups(&self) -> Vec<i32> {
+        let mut tags = vec![0; self.cells.len()];
+        for group in self.groups.iter().rev() {
+            for &cell in &group.cells {
+                tags[cell as usize] = group.tag;
+            }
+        }
+        tags
+    }
 }
 
 /// Reads a mesh: JSON if the file begins with a brace, Gmsh if it begins with `$`.
@@ -36,10 +69,14 @@ pub struct MeshFile {
 /// # Errors
 /// Names the file, the line or byte, and what is wrong.
 pub fn read_mesh(file: &Path) -> Result<MeshFile, InputError> {
-    let bytes = bytes_of(file)?;
+    mesh_from(file, &bytes_of(file)?)
+}
+
+/// [`read_mesh`] of a file that is in memory.
+pub(super) fn mesh_from(file: &Path, bytes: &[u8]) -> Result<MeshFile, InputError> {
     let parsed = match bytes.iter().find(|b| !b.is_ascii_whitespace()) {
-        Some(b'{') => json::parse(&bytes),
-        Some(b'$') => gmsh::parse(&bytes),
+        Some(b'{') => json::parse(bytes),
+        Some(b'$') => gmsh::parse(bytes),
         _ => Err(Fault::new(
             Place::Whole,
             "is no mesh: neither Gmsh's ($MeshFormat) nor JSON ({)",

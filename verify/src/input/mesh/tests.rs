@@ -106,6 +106,101 @@ fn both_versions_are_read_as_text_and_as_bytes_of_either_order() {
     }
 }
 
+/// Two tetrahedra with a volume in two groups and a surface in one, in version 4.1, as text or bytes.
+fn tetrahedra(binary: bool) -> Vec<u8> {
+    let mut out = format!("$MeshFormat\n4.1 {} 8\n", if binary { "1" } else { "0" }).into_bytes();
+    let put = |int: &[i32], size: &[u64], double: &[f64]| {
+        let mut part = Vec::new();
+        if binary {
+            part.extend(int.iter().flat_map(|x| x.to_le_bytes()));
+            part.extend(size.iter().flat_map(|x| x.to_le_bytes()));
+            part.extend(double.iter().flat_map(|x| x.to_le_bytes()));
+        } else {
+            part.extend(int.iter().flat_map(|x| format!("{x} ").into_bytes()));
+            part.extend(size.iter().flat_map(|x| format!("{x} ").into_bytes()));
+            part.extend(double.iter().flat_map(|x| format!("{x} ").into_bytes()));
+        }
+        part
+    };
+    if binary {
+        out.extend(put(&[1], &[], &[]));
+    }
+    out.extend(
+        b"\n$EndMeshFormat\n$PhysicalNames\n1\n3 11 \"the body\"\n$EndPhysicalNames\n$Entities\n",
+    );
+    // No point, no curve, one surface, one volume.
+    out.extend(put(&[], &[0, 0, 1, 1], &[]));
+    out.extend(put(&[4], &[], &[0.0; 6]));
+    out.extend(put(&[], &[1], &[]));
+    out.extend(put(&[21], &[0], &[]));
+    out.extend(put(&[5], &[], &[0.0; 6]));
+    out.extend(put(&[], &[2], &[]));
+    out.extend(put(&[11, 12], &[1], &[]));
+    out.extend(put(&[-4], &[], &[]));
+    out.extend(b"\n$EndEntities\n$Nodes\n");
+    out.extend(put(&[], &[1, 5, 1, 1005], &[]));
+    out.extend(put(&[3, 5, 0], &[5, 1, 2, 3, 4, 1005], &[]));
+    for x in [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]] {
+        out.extend(put(&[], &[], &x.map(f64::from)));
+    }
+    out.extend(b"\n$EndNodes\n$Elements\n");
+    out.extend(put(&[], &[2, 3, 1, 3], &[]));
+    out.extend(put(&[2, 4, 2], &[1, 1, 1, 2, 3], &[]));
+    out.extend(put(&[3, 5, 4], &[2, 2, 1, 2, 3, 4, 3, 2, 3, 4, 1005], &[]));
+    out.extend(b"\n$EndElements\n");
+    out
+}
+
+#[test]
+fn tetrahedra_of_version_4_have_the_groups_of_their_entities() {
+    for binary in [false, true] {
+        let bytes = tetrahedra(binary);
+        let read = gmsh::parse(&bytes).unwrap_or_else(|fault| panic!("{fault:?}"));
+        assert_eq!((read.dimension, read.vertices), (3, 5));
+        assert_eq!(read.cells, [[0, 1, 2, 3], [1, 2, 3, 4]]);
+        read.mesh::<3>().expect("a mesh");
+        let groups: Vec<_> = (read.groups.iter())
+            .map(|g| {
+                (
+                    g.dimension,
+                    g.tag,
+                    g.name.as_deref(),
+                    g.cells.len(),
+                    g.simplices.len(),
+                )
+            })
+            .collect();
+        let body = (3, 11, Some("the body"), 2, 0);
+        assert_eq!(groups, [(2, 21, None, 0, 1), body, (3, 12, None, 2, 0)]);
+        assert_eq!(read.cell_groups(), [11, 11]);
+        for end in 0..bytes.len() - 2 {
+            assert!(gmsh::parse(&bytes[..end]).is_err(), "cut at {end}");
+        }
+    }
+}
+
+#[test]
+fn tags_may_be_any_numbers() {
+    let far = text(true).replace("\n5 0.5", "\n2000000000 0.5");
+    let far = far.replace(" 5\n", " 2000000000\n");
+    let read = gmsh::parse(far.as_bytes()).unwrap_or_else(|fault| panic!("{fault:?}"));
+    assert_eq!(read.cells[3], [3, 0, 4]);
+}
+
+#[test]
+fn a_mesh_that_falls_apart_is_refused() {
+    let apart = r#"{"dimension": 2, "cells": [[0,1,2],[1,2,3],[4,5,6]]}"#;
+    let error = json::parse(apart.as_bytes())
+        .expect("JSON")
+        .abstract_mesh::<2>();
+    assert!(
+        error
+            .expect_err("apart")
+            .reason
+            .contains("cell 2 is not connected")
+    );
+}
+
 #[test]
 fn no_truncation_is_taken_for_a_mesh_and_none_panics() {
     for bytes in [

@@ -54,8 +54,12 @@ pub struct MetricFile {
 /// # Errors
 /// Names file, line, key and what is wrong.
 pub fn read_metric(file: &Path) -> Result<MetricFile, InputError> {
-    let text = text_of(file)?;
-    parse_metric(&text).map_err(|fault| fault.of(file))
+    metric_from(file, &text_of(file)?)
+}
+
+/// [`read_metric`] of a file that is in memory.
+pub(super) fn metric_from(file: &Path, text: &str) -> Result<MetricFile, InputError> {
+    parse_metric(text).map_err(|fault| fault.of(file))
 }
 
 fn parse_metric(text: &str) -> Result<MetricFile, Fault> {

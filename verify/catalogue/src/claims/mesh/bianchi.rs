@@ -12,7 +12,7 @@ use regge::jet::{Jet1, Jet2};
 use regge::lagrange::Lagrange;
 use regge::linalg::{Mat, Vector, symmetric};
 use regge::regge::ReggeSpace;
-use regge::simplex::{Points, barycentric_jets, multi_indices, subsets};
+use regge::simplex::{JetTable, Points, barycentric_jets, multi_indices, subsets};
 
 /// X = Σ c_ij λ_iλ_j (x_j − x_i) over the edges i < j: continuous, and tangent to every subsimplex.
 pub(super) struct Tangent<'a, 's, const N: usize> {
@@ -77,7 +77,7 @@ impl<const N: usize> Tangent<'_, '_, N> {
 }
 
 impl<const N: usize> TensorField<f64, N> for Tangent<'_, '_, N> {
-    type Table = (Vec<Vec<Jet2<f64, N>>>, Vec<Vec<Jet2<f64, N>>>);
+    type Table = (Vec<Vec<Jet2<f64, N>>>, JetTable<f64, N>);
     type Local = (Vec<f64>, Vec<f64>);
 
     fn tabulate(&self, points: &Points) -> Self::Table {

@@ -12,7 +12,7 @@ use regge::functional::{a_h_with, distributional_curvature_with};
 use regge::jet::Jet2;
 use regge::lagrange::Lagrange;
 use regge::linalg::Mat;
-use regge::simplex::{Bernstein, Points, combine};
+use regge::simplex::{Bernstein, JetTable, Points};
 
 /// v σ for a function v of a Lagrange space.
 struct Product<'a, S, const N: usize> {
@@ -22,19 +22,19 @@ struct Product<'a, S, const N: usize> {
 }
 
 impl<S: TensorField<f64, N>, const N: usize> TensorField<f64, N> for Product<'_, S, N> {
-    type Table = (Vec<Vec<Jet2<f64, N>>>, S::Table);
+    type Table = (JetTable<f64, N>, S::Table);
     type Local = (Vec<f64>, S::Local);
 
     fn tabulate(&self, points: &Points) -> Self::Table {
         let basis = Bernstein::new(N + 1, self.space.degree());
-        (basis.tabulate_jets(points), self.sigma.tabulate(points))
+        (JetTable::new(&basis, points), self.sigma.tabulate(points))
     }
     fn on_cell(&self, cell: usize) -> Self::Local {
         let v = self.space.cell_dofs(cell).map(|d| self.v[d]).collect();
         (v, self.sigma.on_cell(cell))
     }
     fn jet2(&self, local: &Self::Local, table: &Self::Table, q: usize) -> Mat<Jet2<f64, N>, N> {
-        let v = combine::<f64, N>(&local.0, &table.0[q]);
+        let v = table.0.jet2(q, &local.0);
         self.sigma.jet2(&local.1, &table.1, q).map(|x| v * x)
     }
 }

@@ -11,12 +11,12 @@ use regge::formulas::Formulas;
 use regge::functional::Rules;
 use regge::hinge::Hinge;
 use regge::hypersurface::{outward, surface_div};
-use regge::jet::{Jet1, Jet2};
+use regge::jet::Jet1;
 use regge::linalg::{Vector, contract, inverse_and_det};
 use regge::mesh::Side;
 use regge::regge::ReggeSpace;
 use regge::riemann::Connection;
-use regge::simplex::{Bernstein, Points, subsets};
+use regge::simplex::{Bernstein, JetTable, Points, subsets};
 
 /// Stokes' theorem on a face.
 pub struct T01;
@@ -46,18 +46,12 @@ impl OneForm {
 
     /// Its components with derivatives at all points.
     fn at<const N: usize>(&self, points: &Points) -> Vec<Vector<Jet1<f64, N>, N>> {
-        let table: Vec<Vec<Jet2<f64, N>>> = self.basis.tabulate_jets(points);
-        let component = |row: &Vec<Jet2<f64, N>>, m: usize| {
-            let c = &self.coefficients[m * row.len()..(m + 1) * row.len()];
-            let jet = regge::simplex::combine::<f64, N>(c, row);
-            Jet1 {
-                value: jet.value,
-                d: jet.d,
-            }
-        };
-        table
-            .iter()
-            .map(|row| Vector::from_fn(|m, _| component(row, m)))
+        let table = JetTable::<f64, N>::new(&self.basis, points);
+        let size = self.basis.len();
+        let component =
+            |q: usize, m: usize| table.jet1(q, &self.coefficients[m * size..(m + 1) * size]);
+        (0..points.len())
+            .map(|q| Vector::from_fn(|m, _| component(q, m)))
             .collect()
     }
 }

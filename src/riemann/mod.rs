@@ -1,10 +1,17 @@
 //! Floor 3. Riemannian geometry at a point, from jets of the metric.
 //!
-//! A [`Connection`] made from second-order jets of g carries first-order jets of Γ, and with them the curvature;
-//! made from first-order jets it carries Γ alone. Nothing here needs more than a field.
+//! A [`Connection`] made from second-order jets of g carries first-order jets of Γ; made from first-order jets it
+//! carries Γ alone. [`Curvature`] needs no derivative of Γ or g⁻¹. Nothing here needs more than a field.
+
+mod curvature;
+
+pub use curvature::Curvature;
 
 use crate::jet::{Jet, Jet1, Jet2, lower};
-use crate::linalg::{Mat, Vector, double_contract, inverse_and_det, sandwich, symmetric};
+use crate::linalg::{
+    Mat, Vector, double_contract, fill_symmetric, inverse_and_det, matrix, sandwich, symmetric,
+    vector, zeros,
+};
 use crate::scalar::Field;
 
 /// g, g⁻¹, det g and the Levi-Civita connection at a point.
@@ -16,6 +23,8 @@ pub struct Connection<F: Field, const N: usize> {
     pub inverse: Mat<F, N>,
     /// det g in these coordinates.
     pub det: F,
+    /// `lowered[k][(i, j)]` is Γ_kij = g_kl Γ^l_ij, symmetric in i, j.
+    pub lowered: [Mat<F, N>; N],
     /// `gamma[k][(i, j)]` is Γ^k_ij, symmetric in i, j.
     pub gamma: [Mat<F, N>; N],
 }
@@ -23,7 +32,7 @@ pub struct Connection<F: Field, const N: usize> {
 /// df: `[m]` is ∂_m f.
 #[inline]
 pub fn differential<J: Jet<N>, const N: usize>(f: &J) -> Vector<J::Lower, N> {
-    Vector::from_fn(|m, _| f.d(m))
+    vector(|m| f.d(m))
 }
 
 /// Tr σ = g^ij σ_ij.
@@ -50,56 +59,64 @@ pub fn reverse_trace<F: Field, const N: usize>(
 }
 
 impl<F: Field, const N: usize> Connection<F, N> {
-    /// From jets of g: Γ^k_ij = ½ g^kl (∂_i g_jl + ∂_j g_il − ∂_l g_ij).
+    /// From jets of g: Γ_kij = ½ (∂_i g_jk + ∂_j g_ik − ∂_k g_ij), Γ^k_ij = g^kl Γ_lij.
+    #[inline]
     pub fn new<J: Jet<N, Lower = F>>(g: &Mat<J, N>) -> Self {
         let value = lower(g);
         let (inverse, det) = inverse_and_det(&value);
-        // 2Γ_lij, the first index lowered; then raised by ½ g^kl.
-        let first: [Mat<F, N>; N] = std::array::from_fn(|l| {
-            symmetric(|i, j| g[(j, l)].d(i) + g[(i, l)].d(j) - g[(i, j)].d(l))
-        });
-        let half = F::half();
-        let half_inverse: Mat<F, N> = symmetric(|k, l| inverse[(k, l)] * half);
-        let gamma = std::array::from_fn(|k| {
-            symmetric(|i, j| {
-                let mut sum = half_inverse[(k, 0)] * first[0][(i, j)];
-                for l in 1..N {
-                    sum += half_inverse[(k, l)] * first[l][(i, j)];
-                }
-                sum
-            })
-        });
-        Self {
+        let mut connection = Self {
             g: value,
             inverse,
             det,
-            gamma,
+            lowered: [zeros(); N],
+            gamma: [zeros(); N],
+        };
+        let half = F::half();
+        for k in 0..N {
+            fill_symmetric(&mut connection.lowered[k], |i, j| {
+                (g[(j, k)].d(i) + g[(i, k)].d(j) - g[(i, j)].d(k)) * half
+            });
         }
+        for k in 0..N {
+            fill_symmetric(&mut connection.gamma[k], |i, j| {
+                let mut sum = inverse[(k, 0)] * connection.lowered[0][(i, j)];
+                for l in 1..N {
+                    sum += inverse[(k, l)] * connection.lowered[l][(i, j)];
+                }
+                sum
+            });
+        }
+        connection
     }
 
     /// Tr σ.
+    #[inline]
     pub fn trace(&self, sigma: &Mat<F, N>) -> F {
         trace(&self.inverse, sigma)
     }
 
     /// ⟨σ, ρ⟩.
+    #[inline]
     pub fn inner(&self, sigma: &Mat<F, N>, rho: &Mat<F, N>) -> F {
         inner(&self.inverse, sigma, rho)
     }
 
     /// 𝕊σ = σ − g Tr σ.
+    #[inline]
     pub fn reverse_trace(&self, sigma: &Mat<F, N>) -> Mat<F, N> {
         reverse_trace(&self.g, &self.inverse, sigma)
     }
 
     /// α^♯: the index of a one-form raised.
+    #[inline]
     pub fn sharp(&self, alpha: &Vector<F, N>) -> Vector<F, N> {
         crate::linalg::apply(&self.inverse, alpha)
     }
 
     /// `[(m, j)]` = (∇_m α)_j = ∂_m α_j − Γ^k_mj α_k.
+    #[inline]
     pub fn nabla_covector<J: Jet<N, Lower = F>>(&self, alpha: &Vector<J, N>) -> Mat<F, N> {
-        Mat::from_fn(|m, j| {
+        matrix(|m, j| {
             let mut value = alpha[j].d(m);
             for k in 0..N {
                 value -= self.gamma[k][(m, j)] * alpha[k].lower();
@@ -109,8 +126,9 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// `[(m, k)]` = (∇_m X)^k = ∂_m X^k + Γ^k_mj X^j.
+    #[inline]
     pub fn nabla_vector<J: Jet<N, Lower = F>>(&self, x: &Vector<J, N>) -> Mat<F, N> {
-        Mat::from_fn(|m, k| {
+        matrix(|m, k| {
             let mut value = x[k].d(m);
             for j in 0..N {
                 value += self.gamma[k][(m, j)] * x[j].lower();
@@ -120,6 +138,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// `[m][(i, j)]` = (∇_m σ)_ij = ∂_m σ_ij − Γ^k_mi σ_kj − Γ^k_mj σ_ik, symmetric in i, j.
+    #[inline]
     pub fn nabla_tensor<J: Jet<N, Lower = F>>(&self, sigma: &Mat<J, N>) -> [Mat<F, N>; N] {
         let value = lower(sigma);
         std::array::from_fn(|m| {
@@ -135,14 +154,16 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// div α = g^mj (∇_m α)_j.
+    #[inline]
     pub fn div_covector<J: Jet<N, Lower = F>>(&self, alpha: &Vector<J, N>) -> F {
         double_contract(&self.inverse, &self.nabla_covector(alpha))
     }
 
     /// (div σ)_j = g^mi (∇_m σ)_ij.
+    #[inline]
     pub fn div_tensor<J: Jet<N, Lower = F>>(&self, sigma: &Mat<J, N>) -> Vector<F, N> {
         let nabla = self.nabla_tensor(sigma);
-        Vector::from_fn(|j, _| {
+        vector(|j| {
             let mut sum = F::zero();
             for m in 0..N {
                 for i in 0..N {
@@ -154,6 +175,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
     }
 
     /// (∇∇v)_ij = ∂_i∂_j v − Γ^k_ij ∂_k v, from the jets of dv.
+    #[inline]
     pub fn hessian<J: Jet<N>>(&self, v: &J) -> Mat<F, N>
     where
         J::Lower: Jet<N, Lower = F>,
@@ -164,55 +186,53 @@ impl<F: Field, const N: usize> Connection<F, N> {
 
 impl<T: Field, const N: usize> Connection<Jet1<T, N>, N> {
     /// The same connection, its derivatives forgotten.
+    #[inline]
     pub fn lower(&self) -> Connection<T, N> {
         Connection {
             g: lower(&self.g),
             inverse: lower(&self.inverse),
             det: self.det.value,
+            lowered: self.lowered.map(|g| lower(&g)),
             gamma: self.gamma.map(|g| lower(&g)),
         }
     }
 
-    /// Ric_jk = ∂_l Γ^l_jk − ∂_j Γ^l_lk + Γ^l_lm Γ^m_jk − Γ^l_jm Γ^m_lk; positive on a sphere.
-    pub fn ricci(&self) -> Mat<T, N> {
-        let gamma = self.gamma.map(|g| lower(&g));
-        // Γ^l_lk with its derivatives.
-        let mut traced = [Jet1::<T, N>::constant(T::zero()); N];
-        for k in 0..N {
-            for l in 0..N {
-                traced[k] += self.gamma[l][(l, k)];
-            }
-        }
-        symmetric(|j, k| {
-            let mut sum = -traced[k].d[j];
-            for l in 0..N {
-                sum += self.gamma[l][(j, k)].d[l] + traced[l].value * gamma[l][(j, k)];
-                for m in 0..N {
-                    sum -= gamma[l][(j, m)] * gamma[m][(l, k)];
-                }
-            }
-            sum
+    /// The second-order jets of g that it was made from: ∂_m∂_n g_ij = ∂_n (Γ_imj + Γ_jmi).
+    #[inline]
+    fn metric(&self) -> Mat<Jet2<T, N>, N> {
+        symmetric(|i, j| Jet2 {
+            value: self.g[(i, j)].value,
+            d: self.g[(i, j)].d,
+            dd: std::array::from_fn(|m| (self.lowered[i][(m, j)] + self.lowered[j][(m, i)]).d),
         })
     }
 
-    /// R = Tr Ric.
-    pub fn scalar(&self) -> T {
-        trace(&lower(&self.inverse), &self.ricci())
+    /// [`Curvature::ricci`].
+    #[inline]
+    pub fn ricci(&self) -> Mat<T, N> {
+        Curvature::new(&self.metric(), &self.lower()).ricci()
     }
 
-    /// G = Ric − ½ R g.
+    /// [`Curvature::scalar`].
+    #[inline]
+    pub fn scalar(&self) -> T {
+        Curvature::new(&self.metric(), &self.lower()).scalar()
+    }
+
+    /// [`Curvature::einstein`].
+    #[inline]
     pub fn einstein(&self) -> Mat<T, N> {
-        let ricci = self.ricci();
-        let half_r = trace(&lower(&self.inverse), &ricci) * T::half();
-        symmetric(|i, j| ricci[(i, j)] - half_r * self.g[(i, j)].value)
+        Curvature::new(&self.metric(), &self.lower()).einstein()
     }
 
     /// div div σ = g^jm ∇_m (div σ)_j.
+    #[inline]
     pub fn div_div(&self, sigma: &Mat<Jet2<T, N>, N>) -> T {
         self.lower().div_covector(&self.div_tensor(sigma))
     }
 
     /// Δf = div ∇f.
+    #[inline]
     pub fn laplacian(&self, f: &Jet2<T, N>) -> T {
         self.lower().div_covector(&differential(f))
     }

@@ -7,7 +7,11 @@ pub enum Kind {
     Triangle,
     /// A tetrahedron.
     Tetrahedron,
-    /// A point or a line, with so many nodes: not needed.
+    /// A point: kept for the group that it may be of.
+    Point,
+    /// A line with straight edges: likewise.
+    Line,
+    /// A line of higher order, with so many nodes: not needed.
     Passed(usize),
     /// No simplex with straight edges, by name.
     Refused(&'static str),
@@ -16,7 +20,7 @@ pub enum Kind {
 /// The element with this number in Gmsh's list.
 pub fn kind(number: i32) -> Option<Kind> {
     Some(match number {
-        1 => Kind::Passed(2),
+        1 => Kind::Line,
         2 => Kind::Triangle,
         3 => Kind::Refused("quadrangle"),
         4 => Kind::Tetrahedron,
@@ -30,7 +34,7 @@ pub fn kind(number: i32) -> Option<Kind> {
         12 => Kind::Refused("27-node hexahedron"),
         13 => Kind::Refused("18-node prism"),
         14 => Kind::Refused("14-node pyramid"),
-        15 => Kind::Passed(1),
+        15 => Kind::Point,
         16 => Kind::Refused("8-node quadrangle"),
         17 => Kind::Refused("20-node hexahedron"),
         18 => Kind::Refused("15-node prism"),
@@ -49,10 +53,23 @@ impl Kind {
     /// How many nodes it has, if it is not refused.
     pub fn nodes(self) -> usize {
         match self {
+            Self::Point => 1,
+            Self::Line => 2,
             Self::Triangle => 3,
             Self::Tetrahedron => 4,
             Self::Passed(nodes) => nodes,
             Self::Refused(_) => 0,
+        }
+    }
+
+    /// Its dimension, if it is kept.
+    pub fn dimension(self) -> Option<usize> {
+        match self {
+            Self::Point => Some(0),
+            Self::Line => Some(1),
+            Self::Triangle => Some(2),
+            Self::Tetrahedron => Some(3),
+            Self::Passed(_) | Self::Refused(_) => None,
         }
     }
 }

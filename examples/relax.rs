@@ -1,0 +1,150 @@
+//! A lattice relaxed to a solution of Regge's equations.
+//!
+//! The edge lengths of a flat cube of 6·2³ tetrahedra are disturbed inside; the boundary's are held. Damped Gauss–Newton
+//! steps on the gradient of the action, which the library differentiates exactly, lead back to a flat metric, though
+//! to another one: at a flat metric an inner vertex may move in space without any curvature. So the Jacobian of the
+//! gradient, the Hessian of the action, has N kernel directions for each inner vertex. `cargo run --example relax`
+
+use nalgebra::{DMatrix, DVector};
+use regge::functional::{Rules, action_gradient, angle_defects, regge_action};
+use regge::lagrange::Lagrange;
+use regge::mesh::{Mesh, SplitMix64};
+use regge::metrics::Metric;
+use regge::regge::{Interpolant, ReggeFunction, ReggeSpace, check_positive};
+use regge::smooth::Smooth;
+
+const N: usize = 3;
+
+/// The action on a mesh as a function of the lengths of its inner edges.
+struct Lattice<'s> {
+    space: &'s ReggeSpace<'s, N>,
+    inner: Vec<usize>,
+    boundary: Vec<f64>,
+}
+
+impl<'s> Lattice<'s> {
+    /// The metric with these inner lengths; None if some cell is none.
+    fn metric(&self, lengths: &DVector<f64>) -> Option<ReggeFunction<'s, f64, N>> {
+        let mut squares = self.boundary.clone();
+        for (&edge, length) in self.inner.iter().zip(lengths.iter()) {
+            squares[edge] = length * length;
+        }
+        let g = self.space.function(squares).ok()?;
+        let centre = regge::simplex::Points::new(N + 1, vec![0.25; N + 1]);
+        let positive = lengths.iter().all(|l| *l > 0.0);
+        (positive && check_positive(&g, self.space.mesh(), &centre).is_ok()).then_some(g)
+    }
+
+    /// ∂(action)/∂ℓ of the inner edges.
+    fn gradient(&self, lengths: &DVector<f64>) -> Option<DVector<f64>> {
+        let all = action_gradient(&self.metric(lengths)?).ok()?;
+        Some(DVector::from_iterator(
+            self.inner.len(),
+            self.inner.iter().map(|&e| all.gradient[e]),
+        ))
+    }
+
+    /// The Jacobian of the gradient. Paper: the hinge term of a_h; here ∂Θ_S/∂ℓ from the library's second derivatives.
+    fn jacobian(&self, lengths: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let hessian = regge::functional::action_hessian(&self.metric(lengths)?).ok()?;
+        let size = self.inner.len();
+        let mut number = vec![usize::MAX; self.boundary.len()];
+        for (i, &edge) in self.inner.iter().enumerate() {
+            number[edge] = i;
+        }
+        let mut matrix = DMatrix::zeros(size, size);
+        for (a, b, value) in hessian {
+            if number[a] < size && number[b] < size {
+                matrix[(number[a], number[b])] += value;
+            }
+        }
+        Some(matrix)
+    }
+}
+
+fn main() -> Result<(), regge::Error> {
+    let mesh = Mesh::<N>::cube(3)?.perturbed(0.1, 4)?;
+    let space = ReggeSpace::new(&mesh, 0);
+    let flat =
+        Interpolant::Canonical { order: 2 }.apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;
+    let lattice = Lattice {
+        space: &space,
+        inner: mesh.interior(1).collect(),
+        boundary: flat.coefficients().to_vec(),
+    };
+    let mut random = SplitMix64::new(2);
+    let lengths = lattice.inner.iter().map(|&e| flat.coefficients()[e].sqrt());
+    let disturbed = lengths.map(|l| l * (1.0 + 0.02 * random.symmetric()));
+    let mut lengths = DVector::from_iterator(lattice.inner.len(), disturbed);
+    println!(
+        "{} inner edges, {} inner vertices",
+        lattice.inner.len(),
+        mesh.interior(0).count()
+    );
+    println!("step   |gradient|   largest defect       action");
+    let stuck = || regge::Error::Solver("no step makes the gradient smaller".into());
+    let mut damping = 1e-3;
+    for step in 0..60 {
+        let (Some(g), Some(r)) = (lattice.metric(&lengths), lattice.gradient(&lengths)) else {
+            return Err(stuck());
+        };
+        let defects = angle_defects(&g, &Lagrange::new(&mesh, 1), 1);
+        let defect = defects.iter().fold(0.0, |m: f64, d| m.max(d.1.abs()));
+        let [inside, outside] = regge_action::<f64, N, _>(&g, &mesh, &Rules::new::<N>(1));
+        println!(
+            "{step:4}   {:10.2e}   {defect:14.2e}   {:.10}",
+            r.norm(),
+            inside + outside
+        );
+        if r.norm() < 1e-12 {
+            break;
+        }
+        let jacobian = lattice.jacobian(&lengths).ok_or_else(stuck)?;
+        lengths = better(&lattice, &lengths, &r, &jacobian, &mut damping).ok_or_else(stuck)?;
+    }
+    let hessian = lattice.jacobian(&lengths).ok_or_else(stuck)?;
+    let mut sizes: Vec<f64> = hessian
+        .symmetric_eigen()
+        .eigenvalues
+        .iter()
+        .map(|x| x.abs())
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    let kernel = sizes.iter().filter(|x| **x < 1e-8).count();
+    println!(
+        "eigenvalues of the Hessian below 1e-8: {kernel}, the next is {:.1e}",
+        sizes[kernel]
+    );
+    println!(
+        "N times the inner vertices: {}",
+        N * mesh.interior(0).count()
+    );
+    Ok(())
+}
+
+/// A step of Levenberg and Marquardt: (JᵀJ + μ) δ = −Jᵀr, μ raised until |r| becomes smaller.
+fn better(
+    lattice: &Lattice<'_>,
+    lengths: &DVector<f64>,
+    r: &DVector<f64>,
+    jacobian: &DMatrix<f64>,
+    damping: &mut f64,
+) -> Option<DVector<f64>> {
+    for _ in 0..30 {
+        let mut normal = jacobian.transpose() * jacobian;
+        for i in 0..normal.nrows() {
+            normal[(i, i)] += *damping;
+        }
+        let step = normal.cholesky()?.solve(&(jacobian.transpose() * r));
+        let next = lengths - step;
+        if lattice
+            .gradient(&next)
+            .is_some_and(|new| new.norm() < r.norm())
+        {
+            *damping = (*damping * 0.1).max(1e-14);
+            return Some(next);
+        }
+        *damping *= 10.0;
+    }
+    None
+}

@@ -1,0 +1,261 @@
+//! Regge's action, its gradient in the edge lengths, and Schläfli's identity. Degree 0: lengths are all there is.
+
+use super::Rules;
+use super::boundary::boundary_curvature;
+use super::curvature::distributional_curvature;
+use super::local::Wedges;
+use crate::Error;
+use crate::field::{Combination, TensorField};
+use crate::lagrange::Lagrange;
+use crate::mesh::Mesh;
+use crate::parallel::in_order;
+use crate::quadrature::Rule;
+use crate::regge::{BasisFunction, ReggeFunction};
+use crate::scalar::{Field, Real};
+use crate::simplex::subsets;
+use num_dual::{Dual64, HyperDual64};
+use std::f64::consts::{PI, TAU};
+
+/// (½⟨(Rω)_dist(g), 1⟩, ½ of the boundary terms): for degree 0 Σ̊_S Θ_S |S| and Σ_{S⊂∂Ω} (π − Σ_T θ_ST) |S|.
+///
+/// Their sum is the action: half the Einstein–Hilbert action with the boundary terms that make it stationary, under
+/// variations that keep the boundary's metric, exactly where the distributional Einstein tensor vanishes.
+pub fn regge_action<T: Real, const N: usize, G: TensorField<T, N>>(
+    g: &G,
+    mesh: &Mesh<N>,
+    rules: &Rules,
+) -> [T::Sum; 2] {
+    let hats = Lagrange::new(mesh, 1);
+    let inside = distributional_curvature::<T, N, G>(g, &hats, rules);
+    let outside = boundary_curvature::<T, N, G>(g, &hats, rules);
+    [inside, outside].map(|sums| {
+        let mut total = T::Sum::zero();
+        for value in sums.total() {
+            total += value;
+        }
+        total * T::Sum::half()
+    })
+}
+
+/// The derivatives of the action in the edge lengths.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ActionGradient {
+    /// Σ_S Θ_S ∂|S|/∂ℓ by edge, with π − Σ_T θ_ST in place of Θ_S on the boundary: the whole derivative of the action.
+    pub gradient: Vec<f64>,
+    /// The largest |Σ_{S⊂T} |S| ∂θ_ST/∂ℓ| over all cells T and edges: 0 up to rounding by Schläfli's identity, which
+    /// is why the derivatives of the angles do not appear in the gradient.
+    pub schlaefli: f64,
+}
+
+/// Regge's equations: the gradient of the action in the edge lengths, by automatic differentiation cell by cell.
+///
+/// Angles and volumes are those of the curvature's own code at dual numbers: one tangent direction for each edge of
+/// each cell.
+///
+/// # Errors
+/// If the degree of g is not 0.
+pub fn action_gradient<const N: usize>(
+    g: &ReggeFunction<'_, f64, N>,
+) -> Result<ActionGradient, Error> {
+    check_degree(g)?;
+    let mesh = g.space().mesh();
+    let defects = signed_defects(g);
+    let mut result = ActionGradient {
+        gradient: vec![0.0; mesh.count(1)],
+        schlaefli: 0.0,
+    };
+    let moving = Moving::new(g);
+    let wedges = Wedges::<Dual64, N, _>::new(&moving.field, &moving.rule);
+    let on_cell = |cell: usize| moving.derivatives(&wedges, cell);
+    in_order(mesh.cells(), on_cell, |cell, derivatives| {
+        for (e, &edge) in mesh.simplices_of(cell, 1).iter().enumerate() {
+            for (place, &hinge) in mesh.simplices_of(cell, N - 2).iter().enumerate() {
+                // Each hinge counts once: in its first cell.
+                if mesh.first_side(N - 2, hinge as usize).cell == cell {
+                    result.gradient[edge as usize] +=
+                        defects[hinge as usize] * derivatives.volumes[e][place];
+                }
+            }
+            result.schlaefli = result.schlaefli.max(derivatives.schlaefli[e].abs());
+        }
+    });
+    Ok(result)
+}
+
+/// The Hessian of the action in the edge lengths: entries (i, j, value) to be added up, both triangles.
+///
+/// ∂²/∂ℓ_i∂ℓ_j = Σ_S ∂Θ_S/∂ℓ_j ∂|S|/∂ℓ_i + Θ_S ∂²|S|/∂ℓ_i∂ℓ_j, since Schläfli's identity may be differentiated.
+///
+/// # Errors
+/// If the degree of g is not 0.
+pub fn action_hessian<const N: usize>(
+    g: &ReggeFunction<'_, f64, N>,
+) -> Result<Vec<(usize, usize, f64)>, Error> {
+    check_degree(g)?;
+    let mesh = g.space().mesh();
+    let defects = signed_defects(g);
+    let moving = Moving::new(g);
+    let first = Wedges::<Dual64, N, _>::new(&moving.field, &moving.rule);
+    let twice = along_two(g, [0, 0]);
+    let second = Wedges::<HyperDual64, N, _>::new(&twice, &moving.rule);
+    let mut entries = Vec::new();
+    let on_cell = |cell: usize| {
+        let own = |hinge: &u32| mesh.first_side(N - 2, *hinge as usize).cell == cell;
+        let hinges = mesh.simplices_of(cell, N - 2);
+        let turned: Vec<f64> = (hinges.iter())
+            .map(|h| if own(h) { defects[*h as usize] } else { 0.0 })
+            .collect();
+        let derivatives = moving.derivatives(&first, cell);
+        moving.cell_hessian(&second, cell, &derivatives, &turned)
+    };
+    in_order(mesh.cells(), on_cell, |_, local| entries.extend(local));
+    Ok(entries)
+}
+
+fn check_degree<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Result<(), Error> {
+    match g.space().degree() {
+        0 => Ok(()),
+        r => Err(Error::Input(format!(
+            "the action has edge lengths for variables in degree 0, not {r}"
+        ))),
+    }
+}
+
+/// Θ_S, or π − Σ_T θ_ST on the boundary, of every hinge of a piecewise flat metric.
+fn signed_defects<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Vec<f64> {
+    let mesh = g.space().mesh();
+    let wedges = Wedges::<f64, N, _>::new(g, &Rule::new(N - 2, 0));
+    let mut all = Vec::with_capacity(mesh.count(N - 2));
+    let on_hinge = |hinge: usize| {
+        let full = if mesh.is_interior(N - 2, hinge) {
+            TAU
+        } else {
+            PI
+        };
+        full - wedges.around(mesh, hinge)[0].0
+    };
+    in_order(mesh.count(N - 2), on_hinge, |_, defect| all.push(defect));
+    all
+}
+
+/// What the lengths of a cell's edges change in it.
+struct CellDerivatives {
+    /// ∂|S|/∂ℓ_e, `[e][S]`.
+    volumes: Vec<Vec<f64>>,
+    /// ∂θ_ST/∂ℓ_e, `[e][S]`.
+    angles: Vec<Vec<f64>>,
+    /// Σ_S |S| ∂θ_S/∂ℓ_e, by e.
+    schlaefli: Vec<f64>,
+}
+
+/// g + ε ψ: a metric one of whose squared lengths moves.
+type Along<'a, 's, const N: usize> =
+    Combination<&'a ReggeFunction<'s, f64, N>, BasisFunction<'s, N>, Dual64>;
+
+fn along<'a, 's, const N: usize>(g: &'a ReggeFunction<'s, f64, N>, i: usize) -> Along<'a, 's, N> {
+    let direction = BasisFunction::new(g.space(), i);
+    Combination::new(Dual64::from(1.0), g, Dual64::new(0.0, 1.0), direction)
+}
+
+/// The corners of cells whose edges move, one at a time.
+struct Moving<'a, 's, const N: usize> {
+    g: &'a ReggeFunction<'s, f64, N>,
+    /// Any direction will do: what moves is in the data of the cell.
+    field: Along<'a, 's, N>,
+    rule: Rule,
+    hinges: usize,
+}
+
+impl<'a, 's, const N: usize> Moving<'a, 's, N> {
+    fn new(g: &'a ReggeFunction<'s, f64, N>) -> Self {
+        Self {
+            g,
+            field: along(g, 0),
+            rule: Rule::new(N - 2, 0),
+            hinges: subsets(N + 1, N - 1).len(),
+        }
+    }
+
+    fn derivatives(
+        &self,
+        wedges: &Wedges<'_, Dual64, N, Along<'a, 's, N>>,
+        cell: usize,
+    ) -> CellDerivatives {
+        let mut all = CellDerivatives {
+            volumes: Vec::new(),
+            angles: Vec::new(),
+            schlaefli: Vec::new(),
+        };
+        for &edge in self.g.space().mesh().simplices_of(cell, 1) {
+            let local = along(self.g, edge as usize).on_cell(cell);
+            // In degree 0 the coefficients are the squared lengths, and ∂/∂ℓ = 2ℓ ∂/∂(ℓ²).
+            let slope = 2.0 * self.g.coefficients()[edge as usize].sqrt();
+            let corners: Vec<(Dual64, Dual64)> = (0..self.hinges)
+                .map(|place| {
+                    let (angle, omega_s) = wedges.at(&local, place, 0);
+                    (angle, omega_s * wedges.weights[0])
+                })
+                .collect();
+            let turned = corners.iter().map(|(angle, size)| size.re * angle.eps);
+            all.schlaefli.push(slope * turned.sum::<f64>());
+            let angles = corners.iter().map(|(angle, _)| slope * angle.eps);
+            all.angles.push(angles.collect());
+            let grown = corners.iter().map(|(_, size)| slope * size.eps);
+            all.volumes.push(grown.collect());
+        }
+        all
+    }
+
+    /// The Hessian of a cell: −Σ_S ∂θ_ST/∂ℓ_j ∂|S|/∂ℓ_i, and Θ_S ∂²|S|/∂ℓ_i∂ℓ_j of the hinges that count here.
+    fn cell_hessian(
+        &self,
+        wedges: &Wedges<'_, HyperDual64, N, AlongTwo<'a, 's, N>>,
+        cell: usize,
+        derivatives: &CellDerivatives,
+        defects: &[f64],
+    ) -> Vec<(usize, usize, f64)> {
+        let edges = self.g.space().mesh().simplices_of(cell, 1);
+        let lengths: Vec<f64> = (edges.iter())
+            .map(|&e| self.g.coefficients()[e as usize].sqrt())
+            .collect();
+        let mut entries = Vec::with_capacity(edges.len() * edges.len());
+        for i in 0..edges.len() {
+            for j in 0..edges.len() {
+                let pair = [edges[i] as usize, edges[j] as usize];
+                let local = along_two(self.g, pair).on_cell(cell);
+                let mut sum = 0.0;
+                for (place, defect) in defects.iter().enumerate() {
+                    let grown = derivatives.volumes[i][place];
+                    sum -= derivatives.angles[j][place] * grown;
+                    if *defect != 0.0 {
+                        let (_, omega_s) = wedges.at(&local, place, 0);
+                        // From squared lengths to lengths: (ℓ²)′ = 2ℓ and (ℓ²)″ = 2.
+                        let mixed = (omega_s * wedges.weights[0]).eps1eps2;
+                        let bent = if i == j { grown / lengths[i] } else { 0.0 };
+                        sum += defect * (4.0 * lengths[i] * lengths[j] * mixed + bent);
+                    }
+                }
+                entries.push((pair[0], pair[1], sum));
+            }
+        }
+        entries
+    }
+}
+
+/// g + ε₁ ψ_i + ε₂ ψ_j: a metric two of whose squared lengths move.
+type AlongTwo<'a, 's, const N: usize> = Combination<
+    Combination<&'a ReggeFunction<'s, f64, N>, BasisFunction<'s, N>, HyperDual64>,
+    BasisFunction<'s, N>,
+    HyperDual64,
+>;
+
+fn along_two<'a, 's, const N: usize>(
+    g: &'a ReggeFunction<'s, f64, N>,
+    [i, j]: [usize; 2],
+) -> AlongTwo<'a, 's, N> {
+    let (one, space) = (HyperDual64::from(1.0), g.space());
+    let first = HyperDual64::new(0.0, 1.0, 0.0, 0.0);
+    let second = HyperDual64::new(0.0, 0.0, 1.0, 0.0);
+    let inner = Combination::new(one, g, first, BasisFunction::new(space, i));
+    Combination::new(one, inner, second, BasisFunction::new(space, j))
+}

@@ -1,0 +1,173 @@
+//! Some cells side by side: every number of a cell is a lane of a row, and rows are what loops and products run over.
+
+use super::cell::Shape;
+use super::element::Element;
+use nalgebra::DMatrix;
+
+/// How many cells are worked on side by side: their rows fit into the second cache.
+pub(super) const CELLS: usize = 64;
+
+/// The geometry of some cells, lane by lane.
+pub(super) struct Batch {
+    /// How many cells.
+    pub lanes: usize,
+    /// The symmetric weights that stand between B̂ᵀ and B̂: row a·pairs + b.
+    weights: Vec<f64>,
+    /// ±h_f, by face.
+    heights: Vec<f64>,
+    /// p τ_v, by face and vertex of the face.
+    tangents: Vec<f64>,
+}
+
+impl Batch {
+    /// Some consecutive cells.
+    pub fn new<const N: usize>(element: &Element<N>, shapes: &[Shape<N>]) -> Self {
+        let (lanes, pairs) = (shapes.len(), element.pairs.len());
+        let faces = N + 1;
+        let mut batch = Self {
+            lanes,
+            weights: vec![0.0; pairs * pairs * lanes],
+            heights: vec![0.0; faces * lanes],
+            tangents: vec![0.0; faces * N * lanes],
+        };
+        for (lane, shape) in shapes.iter().enumerate() {
+            for a in 0..pairs {
+                for b in 0..pairs {
+                    batch.weights[(a * pairs + b) * lanes + lane] =
+                        shape.volume * shape.raise(element.pairs[a], element.pairs[b]);
+                }
+            }
+            for (f, face) in shape.faces.iter().enumerate() {
+                batch.heights[f * lanes + lane] = face.height;
+                for v in 0..N {
+                    batch.tangents[(f * N + v) * lanes + lane] =
+                        element.degree as f64 * face.tangent[v];
+                }
+            }
+        }
+        batch
+    }
+
+    /// (u, û) becomes (u, ŵ): ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}.
+    pub fn shift<const N: usize>(&self, element: &Element<N>, x: &mut [f64]) {
+        let n = self.lanes;
+        for (f, moments) in element.layout.faces.iter().enumerate() {
+            for moment in moments {
+                scale(row_mut(x, moment.slope, n), row(&self.heights, f, n));
+                for (v, &raised) in moment.raised.iter().enumerate() {
+                    let tangent = row(&self.tangents, f * N + v, n);
+                    let (target, source) = two_rows(x, moment.slope, raised, n);
+                    subtract(target, tangent, source);
+                }
+            }
+        }
+    }
+
+    /// The transpose of [`Batch::shift`].
+    pub fn shift_back<const N: usize>(&self, element: &Element<N>, x: &mut [f64]) {
+        let n = self.lanes;
+        for (f, moments) in element.layout.faces.iter().enumerate() {
+            for moment in moments {
+                for (v, &raised) in moment.raised.iter().enumerate() {
+                    let tangent = row(&self.tangents, f * N + v, n);
+                    let (target, source) = two_rows(x, raised, moment.slope, n);
+                    subtract(target, tangent, source);
+                }
+                scale(row_mut(x, moment.slope, n), row(&self.heights, f, n));
+            }
+        }
+    }
+
+    /// z = (W ⊗ I) y, both with rows a·size + k.
+    pub fn weigh(&self, pairs: usize, size: usize, y: &[f64], z: &mut [f64]) {
+        let n = self.lanes;
+        for k in 0..size {
+            for a in 0..pairs {
+                let target = row_mut(z, a * size + k, n);
+                target.fill(0.0);
+                for b in 0..pairs {
+                    let (w, y) = (
+                        row(&self.weights, a * pairs + b, n),
+                        row(y, b * size + k, n),
+                    );
+                    for ((t, w), y) in target.iter_mut().zip(w).zip(y) {
+                        *t += w * y;
+                    }
+                }
+            }
+        }
+    }
+
+    /// t becomes (B̂_bᵀ (W ⊗ I) B̂_b)⁻¹ t for the bubbles b, by Cholesky's method lane by lane.
+    pub fn solve_bubbles(&self, gram: &[DMatrix<f64>], t: &mut [f64]) {
+        let (n, bubbles) = (self.lanes, t.len() / self.lanes);
+        let mut a = vec![0.0; bubbles * bubbles * n];
+        for (w, gram) in self.weights.chunks_exact(n).zip(gram) {
+            for i in 0..bubbles {
+                for j in 0..=i {
+                    let g = gram[(i, j)];
+                    for (a, w) in row_mut(&mut a, i * bubbles + j, n).iter_mut().zip(w) {
+                        *a += g * w;
+                    }
+                }
+            }
+        }
+        for lane in 0..n {
+            let at = |i: usize, j: usize| (i * bubbles + j) * n + lane;
+            for j in 0..bubbles {
+                let square: f64 = (0..j).map(|k| a[at(j, k)].powi(2)).sum();
+                a[at(j, j)] = (a[at(j, j)] - square).sqrt();
+                for i in j + 1..bubbles {
+                    let sum: f64 = (0..j).map(|k| a[at(i, k)] * a[at(j, k)]).sum();
+                    a[at(i, j)] = (a[at(i, j)] - sum) / a[at(j, j)];
+                }
+            }
+            for i in 0..bubbles {
+                let sum: f64 = (0..i).map(|j| a[at(i, j)] * t[j * n + lane]).sum();
+                t[i * n + lane] = (t[i * n + lane] - sum) / a[at(i, i)];
+            }
+            for i in (0..bubbles).rev() {
+                let sum: f64 = (i + 1..bubbles)
+                    .map(|j| a[at(j, i)] * t[j * n + lane])
+                    .sum();
+                t[i * n + lane] = (t[i * n + lane] - sum) / a[at(i, i)];
+            }
+        }
+    }
+}
+
+/// Row i of rows of n lanes.
+#[inline]
+pub(super) fn row(x: &[f64], i: usize, n: usize) -> &[f64] {
+    &x[i * n..(i + 1) * n]
+}
+
+/// Row i of rows of n lanes.
+#[inline]
+pub(super) fn row_mut(x: &mut [f64], i: usize, n: usize) -> &mut [f64] {
+    &mut x[i * n..(i + 1) * n]
+}
+
+/// Row i to be changed, and another row j.
+#[inline]
+fn two_rows(x: &mut [f64], i: usize, j: usize, n: usize) -> (&mut [f64], &[f64]) {
+    if i < j {
+        let (low, high) = x.split_at_mut(j * n);
+        (&mut low[i * n..(i + 1) * n], &high[..n])
+    } else {
+        let (low, high) = x.split_at_mut(i * n);
+        (&mut high[..n], &low[j * n..(j + 1) * n])
+    }
+}
+
+fn scale(x: &mut [f64], factor: &[f64]) {
+    for (x, f) in x.iter_mut().zip(factor) {
+        *x *= f;
+    }
+}
+
+fn subtract(x: &mut [f64], factor: &[f64], y: &[f64]) {
+    for ((x, f), y) in x.iter_mut().zip(factor).zip(y) {
+        *x -= f * y;
+    }
+}

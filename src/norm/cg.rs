@@ -1,0 +1,108 @@
+//! Preconditioned conjugate gradients. Sums are made of fixed blocks: no bit depends on the number of threads.
+
+use super::Step;
+use crate::Error;
+use crate::parallel::for_chunks;
+
+/// How many entries make one piece of work.
+const BLOCK: usize = 1 << 14;
+
+/// xᵀ y.
+pub(super) fn dot(x: &[f64], y: &[f64]) -> f64 {
+    let mut sums = vec![0.0; x.len().div_ceil(BLOCK)];
+    for_chunks(&mut sums, 1, |i, sum| {
+        let range = i * BLOCK..x.len().min((i + 1) * BLOCK);
+        // Eight partial sums, which the compiler keeps in registers.
+        let mut partial = [0.0; 8];
+        for (x, y) in x[range.clone()].chunks(8).zip(y[range].chunks(8)) {
+            for (p, (x, y)) in partial.iter_mut().zip(x.iter().zip(y)) {
+                *p += x * y;
+            }
+        }
+        sum[0] = partial.iter().sum();
+    });
+    sums.iter().sum()
+}
+
+/// y += α x.
+pub(super) fn axpy(y: &mut [f64], alpha: f64, x: &[f64]) {
+    combine(1.0, y, alpha, x);
+}
+
+/// y = α y.
+pub(super) fn scale(y: &mut [f64], alpha: f64) {
+    for_chunks(y, BLOCK, |_, y| y.iter_mut().for_each(|y| *y *= alpha));
+}
+
+/// y = α y + β x.
+pub(super) fn combine(alpha: f64, y: &mut [f64], beta: f64, x: &[f64]) {
+    for_chunks(y, BLOCK, |i, y| {
+        for (y, x) in y.iter_mut().zip(&x[i * BLOCK..]) {
+            *y = alpha * *y + beta * x;
+        }
+    });
+}
+
+/// When to stop.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    /// The residual over that of x = 0, both in the norm of the preconditioner.
+    pub residual: f64,
+    /// The most steps.
+    pub steps: usize,
+}
+
+/// x with A x = r for symmetric positive definite A and preconditioner; `watch` is told of each step.
+///
+/// `apply(p, q, room)` is q = A p, `precondition(r, z, room)` is z = M⁻¹ r.
+///
+/// # Errors
+/// If the steps do not suffice, or what should be positive is not.
+pub(super) fn solve<R>(
+    mut r: Vec<f64>,
+    target: Target,
+    room: &mut R,
+    apply: impl Fn(&[f64], &mut [f64], &mut R),
+    precondition: impl Fn(&[f64], &mut [f64], &mut R),
+    watch: &mut dyn FnMut(Step),
+) -> Result<Vec<f64>, Error> {
+    let mut x = vec![0.0; r.len()];
+    let mut z = vec![0.0; r.len()];
+    let mut q = vec![0.0; r.len()];
+    precondition(&r, &mut z, room);
+    let mut p = z.clone();
+    let mut square = dot(&r, &z);
+    let first = square;
+    if first == 0.0 {
+        return Ok(x);
+    }
+    for step in 1..=target.steps {
+        apply(&p, &mut q, room);
+        let energy = dot(&p, &q);
+        if !(energy > 0.0 && square > 0.0 && energy.is_finite()) {
+            return Err(Error::Solver(format!(
+                "conjugate gradients broke down in step {step}: energy {energy:e}, residual {square:e}"
+            )));
+        }
+        let alpha = square / energy;
+        axpy(&mut x, alpha, &p);
+        axpy(&mut r, -alpha, &q);
+        precondition(&r, &mut z, room);
+        let before = std::mem::replace(&mut square, dot(&r, &z));
+        let residual = (square.max(0.0) / first).sqrt();
+        watch(Step {
+            number: step,
+            residual,
+        });
+        if residual <= target.residual {
+            return Ok(x);
+        }
+        combine(square / before, &mut p, 1.0, &z);
+    }
+    Err(Error::Solver(format!(
+        "conjugate gradients: a relative residual of {:e} after {} steps, where {:e} was wanted",
+        (square / first).sqrt(),
+        target.steps,
+        target.residual
+    )))
+}

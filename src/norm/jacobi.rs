@@ -1,0 +1,150 @@
+//! The diagonal blocks of the condensed operator, one a simplex, inverted.
+
+use super::cell::eliminate;
+use super::hhj::Hhj;
+use super::skeleton::Skeleton;
+use crate::Error;
+use crate::parallel::{for_chunks, in_order};
+
+/// A_ss⁻¹ for each interior simplex s. Single precision is enough for a preconditioner: the rounding is one of every
+/// entry, relative to itself.
+#[derive(Clone, Debug)]
+pub(super) struct BlockJacobi {
+    /// By dimension: the lower triangles, row by row, one simplex after the other. Zero in ∂Ω.
+    inverses: Vec<Vec<f32>>,
+}
+
+/// How many simplices make one piece of work.
+const SIMPLICES: usize = 1024;
+
+impl BlockJacobi {
+    /// # Errors
+    /// If rounding makes a block indefinite (cells that are all but flat).
+    pub fn new<const N: usize>(hhj: &Hhj<'_, N>, skeleton: &Skeleton) -> Result<Self, Error> {
+        let (mesh, layout) = (hhj.mesh(), hhj.layout());
+        let sizes: Vec<usize> = skeleton.widths.iter().map(|w| w * (w + 1) / 2).collect();
+        let mut sums: Vec<Vec<f64>> = (0..N)
+            .map(|k| vec![0.0; sizes[k] * mesh.count(k)])
+            .collect();
+        let blocks = |cell: usize| {
+            let mut energy = hhj.energy(cell);
+            eliminate(&mut energy, layout.bubbles);
+            let mut packed = Vec::new();
+            for block in &layout.blocks {
+                for i in 0..block.width {
+                    packed.extend((0..=i).map(|j| energy[(block.start + i, block.start + j)]));
+                }
+            }
+            packed
+        };
+        in_order(mesh.cells(), blocks, |cell, packed| {
+            let mut from = packed.as_slice();
+            for block in &layout.blocks {
+                let (here, rest) = from.split_at(sizes[block.k]);
+                let simplex = mesh.simplices_of(cell, block.k)[block.place] as usize;
+                let to = &mut sums[block.k][simplex * here.len()..];
+                for (to, a) in to.iter_mut().zip(here) {
+                    *to += a;
+                }
+                from = rest;
+            }
+        });
+        let mut inverses = Vec::new();
+        for (k, sums) in sums.into_iter().enumerate() {
+            inverses.push(invert(hhj, k, skeleton.widths[k], &sums)?);
+        }
+        Ok(Self { inverses })
+    }
+
+    /// z = J r.
+    pub fn apply(&self, skeleton: &Skeleton, r: &[f64], z: &mut [f64]) {
+        for (k, inverses) in self.inverses.iter().enumerate() {
+            let width = skeleton.widths[k];
+            if width == 0 {
+                continue;
+            }
+            let (r, size) = (skeleton.layer(k, r), width * (width + 1) / 2);
+            for_chunks(skeleton.layer_mut(k, z), SIMPLICES * width, |piece, z| {
+                let first = piece * SIMPLICES;
+                for (i, z) in z.chunks_exact_mut(width).enumerate() {
+                    let simplex = first + i;
+                    let a = &inverses[simplex * size..(simplex + 1) * size];
+                    multiply(a, &r[simplex * width..(simplex + 1) * width], z);
+                }
+            });
+        }
+    }
+}
+
+/// z = A r from A's lower triangle.
+fn multiply(a: &[f32], r: &[f64], z: &mut [f64]) {
+    let mut next = 0;
+    for i in 0..r.len() {
+        // Row i is the first to see z_i.
+        let mut sum = 0.0;
+        for j in 0..i {
+            let a = f64::from(a[next + j]);
+            sum += a * r[j];
+            z[j] += a * r[i];
+        }
+        z[i] = sum + f64::from(a[next + i]) * r[i];
+        next += i + 1;
+    }
+}
+
+/// The inverses of the k-simplices' blocks.
+fn invert<const N: usize>(
+    hhj: &Hhj<'_, N>,
+    k: usize,
+    width: usize,
+    sums: &[f64],
+) -> Result<Vec<f32>, Error> {
+    let (mesh, size) = (hhj.mesh(), width * (width + 1) / 2);
+    let mut inverses = vec![0.0; sums.len()];
+    if size == 0 {
+        return Ok(inverses);
+    }
+    for_chunks(&mut inverses, SIMPLICES * size, |piece, inverses| {
+        for (i, inverse) in inverses.chunks_exact_mut(size).enumerate() {
+            let simplex = piece * SIMPLICES + i;
+            if mesh.is_interior(k, simplex) {
+                invert_one(width, &sums[simplex * size..(simplex + 1) * size], inverse);
+            }
+        }
+    });
+    match inverses.iter().position(|x| !x.is_finite()) {
+        None => Ok(inverses),
+        Some(i) => Err(Error::Solver(format!(
+            "the block of the {k}-simplex {:?} is not positive definite",
+            mesh.vertices(k, i / size)
+        ))),
+    }
+}
+
+/// A⁻¹ = L⁻ᵀ L⁻¹ from the lower triangle of A; not finite where A is not positive definite.
+fn invert_one(n: usize, a: &[f64], inverse: &mut [f32]) {
+    let at = |i: usize, j: usize| i * (i + 1) / 2 + j;
+    let mut l = a.to_vec();
+    for j in 0..n {
+        let square: f64 = (0..j).map(|k| l[at(j, k)] * l[at(j, k)]).sum();
+        l[at(j, j)] = (l[at(j, j)] - square).sqrt();
+        for i in j + 1..n {
+            let sum: f64 = (0..j).map(|k| l[at(i, k)] * l[at(j, k)]).sum();
+            l[at(i, j)] = (l[at(i, j)] - sum) / l[at(j, j)];
+        }
+    }
+    // L becomes L⁻¹, column by column.
+    for j in 0..n {
+        l[at(j, j)] = 1.0 / l[at(j, j)];
+        for i in j + 1..n {
+            let sum: f64 = (j..i).map(|k| l[at(i, k)] * l[at(k, j)]).sum();
+            l[at(i, j)] = -sum / l[at(i, i)];
+        }
+    }
+    for i in 0..n {
+        for j in 0..=i {
+            let sum: f64 = (i..n).map(|k| l[at(k, i)] * l[at(k, j)]).sum();
+            inverse[at(i, j)] = sum as f32;
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! The condensed operator without a matrix: cell by cell Tᵀ B̂ᵀ (W ⊗ I) B̂ T, where only W (the cell's metric) and T
+//! (the change of unknown on its faces) see the cell, and both are made anew from its shape each time.
+//!
+//! Cells are taken in batches, so that B̂ and B̂ᵀ are products of dense matrices; each batch writes to a place of its own,
+//! and every simplex then adds up what its cells have for it, in their order: no bit depends on the threads.
+
+use super::batch::{Batch, CELLS, row, row_mut};
+use super::hhj::Hhj;
+use super::skeleton::Skeleton;
+use crate::parallel::for_chunks;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
+use nalgebra::DMatrix;
+
+/// The operator on the unknowns of a [`Skeleton`].
+#[derive(Clone, Debug)]
+pub(super) struct Operator {
+    pub skeleton: Skeleton,
+    /// B̂_aᵀ B̂_b restricted to the bubbles, in the order a·pairs + b.
+    gram: Vec<DMatrix<f64>>,
+}
+
+/// How many simplices add up their cells' contributions in one piece of work.
+const SIMPLICES: usize = 1024;
+
+impl Operator {
+    pub fn new<const N: usize>(hhj: &Hhj<'_, N>) -> Self {
+        let element = hhj.element();
+        let (size, bubbles) = (element.moments.len(), element.layout.bubbles);
+        let block = |a: usize| element.pairing.view((a * size, 0), (size, bubbles));
+        let pairs = element.pairs.len();
+        let gram = (0..pairs * pairs)
+            .map(|ab| block(ab / pairs).transpose() * block(ab % pairs))
+            .collect();
+        Self {
+            skeleton: Skeleton::new(hhj),
+            gram,
+        }
+    }
+
+    /// How much room [`Operator::apply`] needs.
+    pub fn room<const N: usize>(&self, hhj: &Hhj<'_, N>) -> usize {
+        hhj.mesh().cells() * outer(hhj)
+    }
+
+    /// The operations of [`Operator::apply`]: B̂ and B̂ᵀ, twice W ⊗ I where there are bubbles, and T with Tᵀ.
+    pub fn operations<const N: usize>(&self, hhj: &Hhj<'_, N>) -> f64 {
+        let element = hhj.element();
+        let (rows, columns) = element.pairing.shape();
+        let bubbles = element.layout.bubbles;
+        let weights = rows * element.pairs.len() * if bubbles > 0 { 2 } else { 1 };
+        let slopes: usize = element.layout.faces.iter().map(Vec::len).sum();
+        let cell = 4 * rows * (columns + bubbles) + 2 * weights + 4 * slopes * (N + 1);
+        cell as f64 * hhj.mesh().cells() as f64
+    }
+
+    /// y = S x for the Schur complement S of the bubbles. `room` is overwritten.
+    pub fn apply<const N: usize>(
+        &self,
+        hhj: &Hhj<'_, N>,
+        x: &[f64],
+        y: &mut [f64],
+        room: &mut [f64],
+    ) {
+        for_chunks(room, CELLS * outer(hhj), |batch, out| {
+            let mut work = Work::new(hhj, batch);
+            work.load(hhj, &self.skeleton, x);
+            work.bend(hhj, self, &|_| 0.0);
+            work.unload(hhj, out);
+        });
+        y.fill(0.0);
+        self.collect(hhj, room, y, 1.0);
+    }
+
+    /// y −= A_sb A_bb⁻¹ f_b: the bubbles' load handed on to the other unknowns.
+    pub fn condense<const N: usize>(
+        &self,
+        hhj: &Hhj<'_, N>,
+        load: &[f64],
+        y: &mut [f64],
+        room: &mut [f64],
+    ) {
+        for_chunks(room, CELLS * outer(hhj), |batch, out| {
+            let mut work = Work::new(hhj, batch);
+            work.bend(hhj, self, &|place| load[place]);
+            work.unload(hhj, out);
+        });
+        self.collect(hhj, room, y, -1.0);
+    }
+
+    /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients.
+    pub fn bubbles<const N: usize>(
+        &self,
+        hhj: &Hhj<'_, N>,
+        load: &[f64],
+        x: &[f64],
+        coefficients: &mut [f64],
+    ) {
+        let count = hhj.layout().bubbles;
+        if count == 0 {
+            return;
+        }
+        let first = self.skeleton.bubbles(0).start;
+        let all = &mut coefficients[first..first + count * hhj.mesh().cells()];
+        for_chunks(all, CELLS * count, |batch, out| {
+            let mut work = Work::new(hhj, batch);
+            work.load(hhj, &self.skeleton, x);
+            let bubbles = work.bend(hhj, self, &|place| load[place]);
+            for lane in 0..work.batch.lanes {
+                for i in 0..count {
+                    out[lane * count + i] = bubbles[i * work.batch.lanes + lane];
+                }
+            }
+        });
+    }
+
+    /// y += factor · the sum over the cells, for the unknowns of interior simplices.
+    fn collect<const N: usize>(&self, hhj: &Hhj<'_, N>, room: &[f64], y: &mut [f64], factor: f64) {
+        let (mesh, outer, cells) = (hhj.mesh(), outer(hhj), hhj.mesh().cells());
+        for k in 0..N {
+            let width = self.skeleton.widths[k];
+            if width == 0 {
+                continue;
+            }
+            let starts: Vec<usize> = (hhj.layout().blocks.iter().filter(|b| b.k == k))
+                .map(|b| b.start - hhj.layout().bubbles)
+                .collect();
+            let layer = self.skeleton.layer_mut(k, y);
+            for_chunks(layer, SIMPLICES * width, |piece, layer| {
+                for (i, y) in layer.chunks_exact_mut(width).enumerate() {
+                    let simplex = piece * SIMPLICES + i;
+                    for side in mesh
+                        .star(k, simplex)
+                        .filter(|_| mesh.is_interior(k, simplex))
+                    {
+                        let begin = side.cell / CELLS * CELLS;
+                        let lanes = CELLS.min(cells - begin);
+                        let from = begin * outer + starts[side.place] * lanes + side.cell - begin;
+                        for (j, y) in y.iter_mut().enumerate() {
+                            *y += factor * room[from + j * lanes];
+                        }
+                    }
+                }
+            });
+        }
+    }
+}
+
+/// A cell's unknowns that are not bubbles.
+fn outer<const N: usize>(hhj: &Hhj<'_, N>) -> usize {
+    hhj.layout().len - hhj.layout().bubbles
+}
+
+/// A batch at work.
+struct Work {
+    batch: Batch,
+    /// Its first cell.
+    begin: usize,
+    /// The unknowns of the cells.
+    x: Vec<f64>,
+    /// B̂ x, and (W ⊗ I) B̂ x.
+    y: Vec<f64>,
+    z: Vec<f64>,
+}
+
+impl Work {
+    fn new<const N: usize>(hhj: &Hhj<'_, N>, batch: usize) -> Self {
+        let begin = batch * CELLS;
+        let shapes = hhj.shapes();
+        let shapes = &shapes[begin..shapes.len().min(begin + CELLS)];
+        let (lanes, rows) = (shapes.len(), hhj.element().pairing.nrows());
+        Self {
+            batch: Batch::new(hhj.element(), shapes),
+            begin,
+            x: vec![0.0; hhj.layout().len * lanes],
+            y: vec![0.0; rows * lanes],
+            z: vec![0.0; rows * lanes],
+        }
+    }
+
+    /// y = B̂ T x for the cells' part of a global x, without bubbles.
+    fn load<const N: usize>(&mut self, hhj: &Hhj<'_, N>, skeleton: &Skeleton, global: &[f64]) {
+        let (element, lanes) = (hhj.element(), self.batch.lanes);
+        for lane in 0..lanes {
+            let cell = self.begin + lane;
+            for block in &element.layout.blocks {
+                let simplex = hhj.mesh().simplices_of(cell, block.k)[block.place] as usize;
+                let from = skeleton.first(block.k, simplex);
+                for (i, x) in global[from..from + block.width].iter().enumerate() {
+                    self.x[(block.start + i) * lanes + lane] = *x;
+                }
+            }
+        }
+        self.batch.shift(element, &mut self.x);
+        multiply(
+            &mut self.y,
+            &self.x,
+            lanes,
+            as_mat(&element.pairing).transpose(),
+        );
+    }
+
+    /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y), which are returned; `f` by places.
+    fn bend<const N: usize>(
+        &mut self,
+        hhj: &Hhj<'_, N>,
+        operator: &Operator,
+        f: &dyn Fn(usize) -> f64,
+    ) -> Vec<f64> {
+        let (element, lanes) = (hhj.element(), self.batch.lanes);
+        let (pairs, size, bubbles) = (
+            element.pairs.len(),
+            element.moments.len(),
+            element.layout.bubbles,
+        );
+        self.batch.weigh(pairs, size, &self.y, &mut self.z);
+        let mut t = vec![0.0; bubbles * lanes];
+        if bubbles == 0 {
+            return t;
+        }
+        let first = operator.skeleton.bubbles(self.begin).start;
+        for i in 0..bubbles {
+            for lane in 0..lanes {
+                t[i * lanes + lane] = f(first + lane * bubbles + i);
+            }
+            for r in 0..pairs * size {
+                let b = element.pairing[(r, i)];
+                for (t, z) in row_mut(&mut t, i, lanes)
+                    .iter_mut()
+                    .zip(row(&self.z, r, lanes))
+                {
+                    *t -= b * z;
+                }
+            }
+        }
+        self.batch.solve_bubbles(&operator.gram, &mut t);
+        for i in 0..bubbles {
+            for r in 0..pairs * size {
+                let b = element.pairing[(r, i)];
+                for (y, t) in row_mut(&mut self.y, r, lanes)
+                    .iter_mut()
+                    .zip(row(&t, i, lanes))
+                {
+                    *y += b * t;
+                }
+            }
+        }
+        self.batch.weigh(pairs, size, &self.y, &mut self.z);
+        t
+    }
+
+    /// Tᵀ B̂ᵀ z without the bubbles' rows.
+    fn unload<const N: usize>(&mut self, hhj: &Hhj<'_, N>, out: &mut [f64]) {
+        let (element, lanes) = (hhj.element(), self.batch.lanes);
+        multiply(&mut self.x, &self.z, lanes, as_mat(&element.pairing));
+        self.batch.shift_back(element, &mut self.x);
+        out.copy_from_slice(&self.x[element.layout.bubbles * lanes..]);
+    }
+}
+
+/// c = a b for rows of lanes: the rows of c and a are columns here.
+fn multiply(c: &mut [f64], a: &[f64], lanes: usize, b: MatRef<'_, f64>) {
+    let c = MatMut::from_column_major_slice_mut(c, lanes, b.ncols());
+    let a = MatRef::from_column_major_slice(a, lanes, b.nrows());
+    matmul(c, Accum::Replace, a, b, 1.0, Par::Seq);
+}
+
+fn as_mat(a: &DMatrix<f64>) -> MatRef<'_, f64> {
+    MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
+}

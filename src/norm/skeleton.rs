@@ -1,0 +1,102 @@
+//! The unknowns of the matrix-free solver: u and û, simplex by simplex of dimension < N. Bubbles are condensed.
+//!
+//! All k-simplices have blocks of one width, in their mesh's order: first the vertices' blocks, then the edges', and
+//! so on. Entries of simplices in ∂Ω are there too, and zero.
+
+use super::hhj::Hhj;
+use super::layout::slopes;
+use crate::mesh::Numbering;
+use crate::simplex::binomial;
+
+/// Where the unknowns are.
+#[derive(Clone, Debug)]
+pub(super) struct Skeleton {
+    /// How many unknowns a k-simplex has.
+    pub widths: Vec<usize>,
+    /// The first unknown of the k-simplices; last, the number of all unknowns.
+    pub offsets: Vec<usize>,
+    /// How many unknowns of a k-simplex are of u; the others are of û.
+    own: Vec<usize>,
+    /// Where u is in a [`super::Deflection`], and where û begins.
+    numbering: Numbering,
+}
+
+impl Skeleton {
+    pub fn new<const N: usize>(hhj: &Hhj<'_, N>) -> Self {
+        let (mesh, p) = (hhj.mesh(), hhj.space().degree());
+        let own: Vec<usize> = (0..=N).map(|k| binomial(p - 1, k)).collect();
+        let numbering = Numbering::new(mesh, own.clone());
+        let (mut widths, mut offsets) = (Vec::new(), vec![0]);
+        for k in 0..N {
+            widths.push(own[k] + if k == N - 1 { slopes(N, p) } else { 0 });
+            offsets.push(offsets[k] + widths[k] * mesh.count(k));
+        }
+        Self {
+            widths,
+            offsets,
+            own,
+            numbering,
+        }
+    }
+
+    /// How many unknowns.
+    pub fn len(&self) -> usize {
+        self.offsets[self.widths.len()]
+    }
+
+    /// The first unknown of a k-simplex.
+    #[inline]
+    pub fn first(&self, k: usize, simplex: usize) -> usize {
+        self.offsets[k] + simplex * self.widths[k]
+    }
+
+    /// The unknowns of all k-simplices.
+    pub fn layer<'a>(&self, k: usize, x: &'a [f64]) -> &'a [f64] {
+        &x[self.offsets[k]..self.offsets[k + 1]]
+    }
+
+    /// The unknowns of all k-simplices.
+    pub fn layer_mut<'a>(&self, k: usize, x: &'a mut [f64]) -> &'a mut [f64] {
+        &mut x[self.offsets[k]..self.offsets[k + 1]]
+    }
+
+    /// Where in a [`super::Deflection`] entry i of a k-simplex is.
+    #[inline]
+    fn place(&self, k: usize, simplex: usize, i: usize) -> usize {
+        match i.checked_sub(self.own[k]) {
+            None => self.numbering.global(k, simplex, i),
+            Some(beta) => self.numbering.len() + simplex * (self.widths[k] - self.own[k]) + beta,
+        }
+    }
+
+    /// Where in a [`super::Deflection`] the bubbles of a cell are.
+    pub fn bubbles(&self, cell: usize) -> std::ops::Range<usize> {
+        let k = self.widths.len();
+        let first = self.numbering.global(k, cell, 0);
+        first..first + self.own[k]
+    }
+
+    /// The load of the unknowns: û has none.
+    pub fn gather<const N: usize>(&self, hhj: &Hhj<'_, N>, load: &[f64]) -> Vec<f64> {
+        let mut x = vec![0.0; self.len()];
+        for k in 0..N {
+            for simplex in hhj.mesh().interior(k) {
+                for i in 0..self.own[k] {
+                    x[self.first(k, simplex) + i] = load[self.place(k, simplex, i)];
+                }
+            }
+        }
+        x
+    }
+
+    /// Writes the unknowns to where a [`super::Deflection`] has them.
+    pub fn scatter<const N: usize>(&self, hhj: &Hhj<'_, N>, x: &[f64], coefficients: &mut [f64]) {
+        for k in 0..N {
+            for simplex in hhj.mesh().interior(k) {
+                for i in 0..self.widths[k] {
+                    coefficients[self.place(k, simplex, i)] = x[self.first(k, simplex) + i];
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The value and gradient of a tensor-product cubic spline at a point, and the transpose.
+
+use super::coarse::Short;
+use super::spline::{slopes, values};
+use crate::linalg::Vector;
+
+/// 4^(N−1) for the largest N.
+const ROWS: usize = 16;
+
+/// The splines' lattice.
+#[derive(Clone, Debug)]
+pub(super) struct Grid<const N: usize> {
+    /// How many coefficients a side: three more than cells.
+    pub side: usize,
+    /// The corner with the least coordinates.
+    pub lower: Vector<f64, N>,
+    /// How many cells to a unit of length, by axis.
+    pub density: Vector<f64, N>,
+}
+
+/// Where a point is in the splines' lattice: what multiplies the rows of four coefficients along the first axis.
+pub(super) struct Stencil<const N: usize> {
+    /// The first coefficient of the first row, and how far the others are from it.
+    pub first: usize,
+    offsets: [usize; ROWS],
+    /// Along the first axis: values and slopes.
+    along: [[Short; 4]; 2],
+    /// Across: `[0]` the product of the other axes' values, `[i]` with axis i's value replaced by its slope.
+    across: [[Short; ROWS]; N],
+}
+
+impl<const N: usize> Stencil<N> {
+    /// How many rows there are.
+    const COUNT: usize = 1 << (2 * (N - 1));
+
+    pub fn new(grid: &Grid<N>) -> Self {
+        let mut offsets = [0; ROWS];
+        for (row, offset) in offsets.iter_mut().enumerate() {
+            let (mut stride, mut digits) = (grid.side, row);
+            while digits > 0 {
+                *offset += digits % 4 * stride;
+                digits /= 4;
+                stride *= grid.side;
+            }
+        }
+        Self {
+            first: 0,
+            offsets,
+            along: [[0.0; 4]; 2],
+            across: [[1.0; ROWS]; N],
+        }
+    }
+
+    /// Moves it to a point.
+    #[inline]
+    pub fn locate(&mut self, grid: &Grid<N>, x: &Vector<f64, N>) {
+        let (mut first, mut stride, mut count) = (0, 1, 1);
+        for across in &mut self.across {
+            across[0] = 1.0;
+        }
+        for axis in 0..N {
+            let density = grid.density[axis];
+            let t = (x[axis] - grid.lower[axis]) * density;
+            let cell = (t.max(0.0) as usize).min(grid.side - 4);
+            let f = t - cell as f64;
+            let value = values(f).map(|x| x as Short);
+            let slope = slopes(f).map(|x| (x * density) as Short);
+            first += cell * stride;
+            if axis == 0 {
+                self.along = [value, slope];
+            } else {
+                self.cross(axis, count, value, slope);
+                count *= 4;
+            }
+            stride *= grid.side;
+        }
+        self.first = first;
+    }
+
+    /// Goes from `count` rows to four times as many: one more axis.
+    #[inline(always)]
+    fn cross(&mut self, axis: usize, count: usize, value: [Short; 4], slope: [Short; 4]) {
+        // From the last to the first: row 0 is still needed.
+        for i in (0..4).rev() {
+            for row in 0..count {
+                for other in 0..N {
+                    let factor = if other == axis { slope[i] } else { value[i] };
+                    self.across[other][i * count + row] = factor * self.across[other][row];
+                }
+            }
+        }
+    }
+
+    /// s and its gradient.
+    #[inline]
+    pub fn evaluate(&self, c: &[Short]) -> (Short, [Short; N]) {
+        let mut sums = [[0.0; 4]; N];
+        for row in 0..Self::COUNT {
+            let from = self.first + self.offsets[row];
+            let c: &[Short] = &c[from..from + 4];
+            for (sum, across) in sums.iter_mut().zip(&self.across) {
+                for x in 0..4 {
+                    sum[x] += across[row] * c[x];
+                }
+            }
+        }
+        let along = |sum: &[Short; 4], w: &[Short; 4]| {
+            sum[0] * w[0] + sum[1] * w[1] + (sum[2] * w[2] + sum[3] * w[3])
+        };
+        let gradient = std::array::from_fn(|i| match i {
+            0 => along(&sums[0], &self.along[1]),
+            _ => along(&sums[i], &self.along[0]),
+        });
+        (along(&sums[0], &self.along[0]), gradient)
+    }
+
+    /// The transpose of [`Stencil::evaluate`].
+    #[inline]
+    pub fn spread(&self, value: Short, gradient: [Short; N], c: &mut [Short]) {
+        let first: [Short; 4] =
+            std::array::from_fn(|x| value * self.along[0][x] + gradient[0] * self.along[1][x]);
+        for row in 0..Self::COUNT {
+            let across: Short = (1..N).map(|i| gradient[i] * self.across[i][row]).sum();
+            let from = self.first + self.offsets[row];
+            let c = &mut c[from..from + 4];
+            for x in 0..4 {
+                c[x] += self.across[0][row] * first[x] + across * self.along[0][x];
+            }
+        }
+    }
+}

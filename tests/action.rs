@@ -1,0 +1,306 @@
+//! Boundary terms, Regge's action and equations, the Einstein tensor against all Regge functions.
+
+mod common;
+
+use common::{crooked_cube, random_regge};
+use num_dual::Dual64;
+use regge::field::Combination;
+use regge::functional::{
+    Rules, action_gradient, action_hessian, boundary_curvature, boundary_mean_curvatures,
+    cell_curvatures, cell_volumes, distributional_curvature, einstein, einstein_against,
+    face_jumps, regge_action,
+};
+use regge::lagrange::Lagrange;
+use regge::mesh::Mesh;
+use regge::metrics::Metric;
+use regge::regge::{BasisFunction, Interpolant, ReggeSpace};
+use regge::scalar::Lanes;
+use regge::smooth::Smooth;
+use std::f64::consts::PI;
+
+/// Rounding: sums of some 10² terms of size 1.
+const ROUNDING: f64 = 1e-11;
+
+/// Gauss and Bonnet on a square: ∫R + 2∫⟦H⟧ + 2ΣΘ with the boundary terms is 4πχ = 4π, for every Regge metric.
+#[test]
+fn the_total_with_the_boundary_is_four_pi_chi() {
+    let mesh = Mesh::<2>::cube(3).unwrap().perturbed(0.1, 5).unwrap();
+    let hats = Lagrange::new(&mesh, 1);
+    for (degree, order) in [(0, 2), (1, 24), (2, 24)] {
+        let space = ReggeSpace::new(&mesh, degree);
+        let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
+        let g = (Interpolant::Canonical { order: 12 }).apply(&space, &smooth);
+        let g = g.unwrap();
+        let rules = Rules::new::<2>(order);
+        let inner: f64 = distributional_curvature::<Lanes, 2, _>(&g, &hats, &rules)
+            .total()
+            .iter()
+            .sum();
+        let outer: f64 = boundary_curvature::<Lanes, 2, _>(&g, &hats, &rules)
+            .total()
+            .iter()
+            .sum();
+        // The rules of order 24 integrate these metrics to some 1e-13.
+        assert!(
+            (inner + outer - 4.0 * PI).abs() < ROUNDING,
+            "degree {degree}"
+        );
+        assert!((inner - 4.0 * PI).abs() > 0.1, "the boundary matters");
+    }
+}
+
+/// A cube in Euclidean space: eight corners do not count for N = 3, twelve edges turn by π/2 and are 2 long.
+#[test]
+fn a_flat_cube_has_the_action_of_its_edges() {
+    let mesh = Mesh::<3>::cube(2).unwrap();
+    let space = ReggeSpace::new(&mesh, 0);
+    let flat = Smooth::new(&mesh, Metric::Flat).unwrap();
+    let g = (Interpolant::Canonical { order: 2 })
+        .apply(&space, &flat)
+        .unwrap();
+    let [inside, outside] = regge_action::<Lanes, 3, _>(&g, &mesh, &Rules::new::<3>(2));
+    assert!(inside.abs() < ROUNDING);
+    assert!((outside - 12.0 * 2.0 * PI / 2.0).abs() < ROUNDING);
+    let all = action_gradient(&g).unwrap();
+    for edge in mesh.interior(1) {
+        assert!(
+            all.gradient[edge].abs() < ROUNDING,
+            "flat space is stationary"
+        );
+    }
+}
+
+/// The pieces add up to the sums of the functional at v = 1.
+#[test]
+fn the_integrals_simplex_by_simplex_add_up() {
+    let mesh = Mesh::<3>::cube(1).unwrap().perturbed(0.05, 2).unwrap();
+    let (space, hats) = (ReggeSpace::new(&mesh, 1), Lagrange::new(&mesh, 1));
+    let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
+    let g = (Interpolant::Canonical { order: 8 })
+        .apply(&space, &smooth)
+        .unwrap();
+    let rules = Rules::new::<3>(6);
+    let sums = distributional_curvature::<Lanes, 3, _>(&g, &hats, &rules);
+    let outer = boundary_curvature::<Lanes, 3, _>(&g, &hats, &rules);
+    let cells: f64 = cell_curvatures::<Lanes, 3, _>(&g, &mesh, &rules.element)
+        .iter()
+        .sum();
+    let faces = |list: Vec<(usize, f64)>| 2.0 * list.iter().map(|f| f.1).sum::<f64>();
+    let jumps = faces(face_jumps::<Lanes, 3, _>(&g, &mesh, &rules.face));
+    let bent = faces(boundary_mean_curvatures::<Lanes, 3, _>(
+        &g,
+        &mesh,
+        &rules.face,
+    ));
+    assert!((cells - sums.element.iter().sum::<f64>()).abs() < ROUNDING);
+    assert!((jumps - sums.face.iter().sum::<f64>()).abs() < ROUNDING);
+    assert!((bent - outer.face.iter().sum::<f64>()).abs() < ROUNDING);
+    assert!(jumps.abs() > 1e-3 && bent.abs() > 1e-3 && cells.abs() > 1e-3);
+    let volume: f64 = cell_volumes::<f64, 3, _>(&g, &mesh, &rules.element)
+        .iter()
+        .sum();
+    assert!(
+        (cell_volumes::<Lanes, 3, _>(&g, &mesh, &rules.element)
+            .iter()
+            .sum::<f64>()
+            - volume)
+            .abs()
+            < ROUNDING
+    );
+}
+
+/// All at once is what one by one gives, cells, faces and hinges apart.
+fn against_all<const N: usize>(mesh: &Mesh<N>, degree: usize) {
+    let space = ReggeSpace::new(mesh, degree);
+    let g = random_regge(&space, 0.02, 3);
+    let rules = Rules::new::<N>(4);
+    let all = einstein_against::<Lanes, N, _>(&g, &space, &rules);
+    let scale = all.total().iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    // Far above rounding: these metrics are curved.
+    assert!(scale > 1e-4, "{scale}");
+    for i in 0..space.len() {
+        let one = einstein::<Lanes, N, _, _>(&g, &BasisFunction::new(&space, i), mesh, &rules);
+        for (a, b) in [all.element[i], all.face[i], all.hinge[i]].iter().zip(one) {
+            assert!((a - b).abs() < ROUNDING * scale.max(1.0), "{i}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn the_einstein_tensor_against_all_functions_is_that_against_each() {
+    against_all(&crooked_cube::<3>(2, 7), 0);
+    against_all(&crooked_cube::<3>(2, 7), 1);
+    against_all(&Mesh::<4>::alfeld().unwrap(), 0);
+}
+
+/// Regge's gradient is the derivative of the whole action, angles included, which Schläfli's identity makes possible;
+/// at interior edges it is −½⟨Gω, ∂g/∂ℓ⟩.
+fn gradient_is_the_derivative<const N: usize>(mesh: &Mesh<N>) {
+    let space = ReggeSpace::new(mesh, 0);
+    let g = random_regge(&space, 0.02, 5);
+    let rules = Rules::new::<N>(2);
+    let all = action_gradient(&g).unwrap();
+    let einstein = einstein_against::<Lanes, N, _>(&g, &space, &rules).total();
+    assert!(all.schlaefli < ROUNDING, "{}", all.schlaefli);
+    for edge in 0..mesh.count(1) {
+        let slope = 2.0 * g.coefficients()[edge].sqrt();
+        let direction = BasisFunction::new(&space, edge);
+        let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, slope), direction);
+        let [inside, outside] = regge_action::<Dual64, N, _>(&moving, mesh, &rules);
+        let (whole, regge) = (inside.eps + outside.eps, all.gradient[edge]);
+        assert!((whole - regge).abs() < ROUNDING, "{edge}: {whole} {regge}");
+        if mesh.is_interior(1, edge) {
+            let weak = -0.5 * slope * einstein[edge];
+            assert!((weak - regge).abs() < ROUNDING, "{edge}: {weak} {regge}");
+        }
+    }
+    assert!(mesh.interior(1).any(|edge| all.gradient[edge].abs() > 1e-3));
+}
+
+#[test]
+fn regges_gradient_is_the_derivative_of_the_action() {
+    gradient_is_the_derivative(&crooked_cube::<3>(2, 7));
+    gradient_is_the_derivative(&Mesh::<4>::alfeld().unwrap());
+}
+
+/// ∂Δ⁴ with all edges 1: ten edges, three cells around each: Θ = 2π − 3 arccos ⅓, and the action is 10 Θ; its
+/// derivative in each length is Θ.
+#[test]
+fn the_boundary_of_a_simplex_has_its_closed_form() {
+    let mesh = Mesh::<3>::simplex_boundary().unwrap();
+    let space = ReggeSpace::new(&mesh, 0);
+    let g = space.function(vec![1.0; space.len()]).unwrap();
+    let theta = 2.0 * PI - 3.0 * (1.0f64 / 3.0).acos();
+    let [inside, outside] = regge_action::<f64, 3, _>(&g, &mesh, &Rules::new::<3>(1));
+    assert!((inside - 10.0 * theta).abs() < ROUNDING);
+    assert_eq!(outside, 0.0);
+    let all = action_gradient(&g).unwrap();
+    assert!(all.gradient.iter().all(|d| (d - theta).abs() < ROUNDING));
+    assert!(all.schlaefli < ROUNDING);
+}
+
+/// The Hessian is symmetric, differentiates the gradient (a central difference agrees to its own accuracy), and at a
+/// flat metric vanishes on the moves of the inner vertices, N each.
+fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
+    let space = ReggeSpace::new(mesh, 0);
+    let g = random_regge(&space, 0.02, 5);
+    let hessian = dense(mesh, &action_hessian(&g).unwrap());
+    let (size, odd) = (hessian.amax(), (&hessian - hessian.transpose()).amax());
+    assert!(odd < ROUNDING * size, "{odd} of {size}");
+    for edge in (0..mesh.count(1)).step_by(7) {
+        // Errors h² and rounding/h: some 1e-9 for h = 1e-5.
+        let h = 1e-5;
+        let shifted = |h: f64| {
+            let mut squares = g.coefficients().to_vec();
+            squares[edge] = (squares[edge].sqrt() + h).powi(2);
+            action_gradient(&space.function(squares).unwrap())
+                .unwrap()
+                .gradient
+        };
+        let (up, down) = (shifted(h), shifted(-h));
+        for other in 0..mesh.count(1) {
+            let difference = (up[other] - down[other]) / (2.0 * h);
+            assert!((difference - hessian[(other, edge)]).abs() < 1e-7);
+        }
+    }
+    let flat = Smooth::new(mesh, Metric::Flat).unwrap();
+    let g = (Interpolant::Canonical { order: 2 })
+        .apply(&space, &flat)
+        .unwrap();
+    let hessian = dense(mesh, &action_hessian(&g).unwrap());
+    let inner: Vec<usize> = mesh.interior(1).collect();
+    let inner = hessian.select_rows(&inner).select_columns(&inner);
+    let values = inner.symmetric_eigen().eigenvalues;
+    let kernel = values.iter().filter(|x| x.abs() < 1e-9).count();
+    assert_eq!(kernel, N * mesh.interior(0).count());
+}
+
+fn dense<const N: usize>(
+    mesh: &Mesh<N>,
+    entries: &[(usize, usize, f64)],
+) -> nalgebra::DMatrix<f64> {
+    let mut matrix = nalgebra::DMatrix::zeros(mesh.count(1), mesh.count(1));
+    for &(i, j, value) in entries {
+        matrix[(i, j)] += value;
+    }
+    matrix
+}
+
+#[test]
+fn the_hessian_of_the_action_has_the_kernel_of_flat_space() {
+    hessian_is_the_second_derivative(&crooked_cube::<3>(2, 7));
+    hessian_is_the_second_derivative(&Mesh::<4>::alfeld().unwrap());
+}
+
+/// The variables must be lengths.
+#[test]
+fn higher_degrees_have_no_gradient_in_lengths() {
+    let mesh = Mesh::<3>::cube(1).unwrap();
+    let space = ReggeSpace::new(&mesh, 1);
+    let flat = Smooth::new(&mesh, Metric::Flat).unwrap();
+    let g = (Interpolant::Canonical { order: 4 })
+        .apply(&space, &flat)
+        .unwrap();
+    assert!(action_gradient(&g).is_err());
+}
+
+#[cfg(feature = "norms")]
+mod projection {
+    use super::*;
+    use regge::field::TensorField;
+    use regge::functional::integrate;
+    use regge::linalg::inverse_and_det;
+    use regge::project::{Projection, Tested};
+    use regge::quadrature::Rule;
+
+    /// A function of the space is its own projection: ∫ u v ω for all v gives u back.
+    fn reproduces<const N: usize>(degree: usize, tested: Tested) {
+        let mesh = Mesh::<N>::cube(2).unwrap().perturbed(0.05, 3).unwrap();
+        let (space, regge) = (Lagrange::new(&mesh, degree), ReggeSpace::new(&mesh, 1));
+        let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
+        let g = (Interpolant::Canonical { order: 8 })
+            .apply(&regge, &smooth)
+            .unwrap();
+        let rule = Rule::new(N, 2 * degree + 4);
+        let kept = |dof: usize| tested == Tested::All || space.vanishes_on_boundary(dof);
+        let value = |dof: usize| if kept(dof) { (dof as f64).sin() } else { 0.0 };
+        let u: Vec<f64> = (0..space.len()).map(value).collect();
+        let basis = space.basis(N).tabulate::<f64>(rule.points());
+        let table = TensorField::<f64, N>::tabulate(&g, rule.points());
+        let load = integrate::<f64, N>(&space, N, &rule, 0..mesh.cells(), |cell, _, q| {
+            let local = TensorField::<f64, N>::on_cell(&g, cell);
+            let (_, det) = inverse_and_det(&g.value(&local, &table, q));
+            let mine = space.cell_dofs(cell).zip(&basis[q]);
+            mine.map(|(dof, b)| u[dof] * b).sum::<f64>() * det.sqrt()
+        });
+        let projection = Projection::new(&g, &space, tested, &rule).unwrap();
+        for (a, b) in projection.apply(&load).iter().zip(&u) {
+            // The mass matrix in Bernstein's basis of degree 3 has a condition number of some 10³.
+            assert!((a - b).abs() < 1e-10, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_function_of_the_space_is_its_own_projection() {
+        reproduces::<2>(1, Tested::All);
+        reproduces::<2>(3, Tested::Interior);
+        reproduces::<3>(2, Tested::Interior);
+    }
+
+    /// On the unit sphere R = 2, and R_h of a metric of degree 2 is near it away from the boundary, where it is 0.
+    #[test]
+    fn the_projected_curvature_of_a_sphere_is_near_two() {
+        let mesh = Mesh::<2>::cube(8).unwrap();
+        let (space, regge) = (Lagrange::new(&mesh, 2), ReggeSpace::new(&mesh, 2));
+        let smooth = Smooth::new(&mesh, Metric::Sphere).unwrap();
+        let g = (Interpolant::Canonical { order: 10 })
+            .apply(&regge, &smooth)
+            .unwrap();
+        let rules = Rules::new::<2>(12);
+        let load = distributional_curvature::<Lanes, 2, _>(&g, &space, &rules).total();
+        let projection = Projection::new(&g, &space, Tested::Interior, &rules.element).unwrap();
+        let r_h = projection.apply(&load);
+        let middle = r_h[mesh.count(0) / 2];
+        assert!((middle - 2.0).abs() < 0.05, "{middle}");
+    }
+}

@@ -1,0 +1,171 @@
+//! The matrix-free solver against the direct one, and its own properties.
+#![cfg(feature = "norms")]
+
+use regge::Error;
+use regge::mesh::{Mesh, SplitMix64};
+use regge::norm::{BiharmonicSolver, Direct, HMinus2, Hhj, Iterative};
+
+fn perturbed<const N: usize>(level: u32, seed: u64) -> Mesh<N> {
+    Mesh::cube(1 << level)
+        .unwrap()
+        .perturbed_as_in_paper(level, seed)
+        .unwrap()
+}
+
+/// Seeded random numbers: rougher than any load of a study.
+fn random_load(len: usize, seed: u64) -> Vec<f64> {
+    let mut random = SplitMix64::new(seed);
+    (0..len).map(|_| random.symmetric()).collect()
+}
+
+/// max |a − b| over max |b|.
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let size = b.iter().fold(f64::MIN_POSITIVE, |m: f64, x| m.max(x.abs()));
+    let error = |m: f64, (x, y): (&f64, &f64)| m.max((x - y).abs());
+    a.iter().zip(b).fold(0.0, error) / size
+}
+
+fn agrees_with_direct<const N: usize>(mesh: &Mesh<N>, degree: usize) {
+    let hhj = Hhj::new(mesh, degree).unwrap();
+    let load = random_load(hhj.space().len(), 7);
+    let direct = Direct::new(&hhj).unwrap();
+    let expected = direct.solve(&hhj, &load, &mut |_| ()).unwrap();
+    let solver = Iterative::new(&hhj).unwrap();
+    let found = solver.solve(&hhj, &load, &mut |_| ()).unwrap();
+    // The iteration ends at a residual of 1e-8 in the norm of the energy; single coefficients may be a little worse.
+    let error = distance(&found.coefficients, &expected.coefficients);
+    assert!(
+        error < 1e-7,
+        "N = {N}, degree {degree}: differs by {error:e}"
+    );
+    let norm = HMinus2::with_solver(hhj, Box::new(direct));
+    let [found, expected] = [found, expected].map(|u| norm.norm_of(&u, None).unwrap());
+    for (a, b, tolerance) in [
+        (found.u_l2, expected.u_l2, 1e-8),
+        (found.u_h1, expected.u_h1, 1e-8),
+        // The energy is minimal: its error is of second order.
+        (found.sigma_l2, expected.sigma_l2, 1e-10),
+    ] {
+        assert!(
+            (a / b - 1.0).abs() < tolerance,
+            "N = {N}, degree {degree}: {a} is not {b}"
+        );
+    }
+}
+
+#[test]
+fn direct_3d() {
+    for degree in 2..=4 {
+        for level in 0..=2 {
+            agrees_with_direct(&perturbed::<3>(level, 3), degree);
+        }
+    }
+    agrees_with_direct(&Mesh::<3>::cube(3).unwrap(), 3);
+    agrees_with_direct(&perturbed::<3>(1, 5), 1);
+    // Four bubbles to a cell.
+    agrees_with_direct(&perturbed::<3>(1, 5), 5);
+}
+
+#[test]
+fn direct_2d() {
+    for degree in 1..=5 {
+        agrees_with_direct(&perturbed::<2>(3, 3), degree);
+    }
+    agrees_with_direct(&Mesh::<2>::cube(1).unwrap(), 3);
+}
+
+/// Measured: 14 and 16, 16 and 20, 22 and 28 steps. Without the splines they are 40 and 148 for p = 2, 122 and 427 for
+/// p = 4.
+#[test]
+fn steps_hardly_grow() {
+    for (degree, most) in [(2, 20), (3, 25), (4, 35)] {
+        let steps = [2, 3].map(|level| {
+            let mesh = perturbed::<3>(level, 3);
+            let hhj = Hhj::new(&mesh, degree).unwrap();
+            let norm = HMinus2::with_solver(hhj.clone(), Box::new(Iterative::new(&hhj).unwrap()));
+            let load = random_load(norm.space().len(), 1);
+            let (mut steps, mut before) = (0, f64::INFINITY);
+            norm.solve_watched(&load, &mut |step| {
+                steps += 1;
+                assert_eq!(step.number, steps);
+                before = step.residual;
+            })
+            .unwrap();
+            assert!(before <= 1e-8);
+            steps
+        });
+        assert!(
+            steps.iter().all(|&s| s <= most),
+            "degree {degree}: {steps:?}"
+        );
+        assert!(steps[1] <= steps[0] + 10, "degree {degree}: {steps:?}");
+    }
+}
+
+/// A rectangle with sides of any length is a lattice as well.
+#[test]
+fn stretched_boxes() {
+    let mesh = perturbed::<3>(2, 9);
+    let cells: Vec<Vec<usize>> = (0..mesh.cells())
+        .map(|t| mesh.vertices(3, t).iter().map(|&v| v as usize).collect())
+        .collect();
+    let moved = mesh.points().unwrap().iter();
+    let points = moved.map(|x| [0.7 * x[0] + 3.0, 1.2 * x[1], x[2] - 1.0].into());
+    let stretched = Mesh::new(points.collect(), &cells).unwrap();
+    agrees_with_direct(&stretched, 3);
+}
+
+#[test]
+fn other_meshes_are_refused() {
+    let hhj = Hhj::new(&Mesh::<3>::alfeld().unwrap(), 3).map(|_| ());
+    assert!(hhj.is_ok());
+    let alfeld = Mesh::<3>::alfeld().unwrap();
+    let hhj = Hhj::new(&alfeld, 3).unwrap();
+    assert!(matches!(Iterative::new(&hhj), Err(Error::Input(_))));
+    assert!(!Iterative::suits(&hhj));
+    assert_eq!(HMinus2::new(&alfeld, 3).unwrap().solver(), "cholesky");
+    // Not one of these is worth an iteration.
+    assert_eq!(
+        HMinus2::new(&perturbed::<3>(1, 1), 4).unwrap().solver(),
+        "cholesky"
+    );
+    assert_eq!(
+        HMinus2::new(&perturbed::<3>(3, 1), 2).unwrap().solver(),
+        "cg"
+    );
+}
+
+/// A load of zero, and a mesh on which no unknown is left.
+#[test]
+fn nothing_to_solve() {
+    let mesh = perturbed::<3>(1, 1);
+    let hhj = Hhj::new(&mesh, 2).unwrap();
+    let solver = Iterative::new(&hhj).unwrap();
+    let zero = solver
+        .solve(&hhj, &vec![0.0; hhj.space().len()], &mut |_| ())
+        .unwrap();
+    assert!(zero.coefficients.iter().all(|x| *x == 0.0));
+}
+
+#[cfg(feature = "parallel")]
+#[test]
+fn threads_do_not_matter() {
+    let mesh = perturbed::<3>(2, 6);
+    let run = |threads: usize| -> Vec<u64> {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| {
+            let hhj = Hhj::new(&mesh, 4).unwrap();
+            let load = random_load(hhj.space().len(), 1);
+            let solver = Iterative::new(&hhj).unwrap();
+            let found = solver.solve(&hhj, &load, &mut |_| ()).unwrap();
+            found.coefficients.iter().map(|x| x.to_bits()).collect()
+        })
+    };
+    let one = run(1);
+    for threads in [2, 3, 8] {
+        assert!(one == run(threads), "{threads} threads");
+    }
+}
