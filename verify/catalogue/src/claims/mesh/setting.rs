@@ -227,7 +227,7 @@ impl<C: OnMesh, K: Formulas, const N: usize> Check for MeshCheck<C, K, N> {
 }
 
 /// How often a failing case is tried with fewer numbers.
-const SHRINKS: usize = 100;
+const SHRINKS: usize = 32;
 
 impl<C: OnMesh, K: Formulas, const N: usize> MeshCheck<C, K, N> {
     fn equations(at: &Setting, key: &Key<'_>, numbers: &[f64]) -> Vec<Equation<f64>> {
