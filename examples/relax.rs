@@ -1,9 +1,11 @@
 //! A lattice relaxed to a solution of Regge's equations.
 //!
-//! The edge lengths of a flat cube of 6·2³ tetrahedra are disturbed inside; the boundary's are held. Damped Gauss–Newton
+//! The edge lengths of a flat cube of 6·3³ tetrahedra are disturbed inside; the boundary's are held. Damped Gauss–Newton
 //! steps on the gradient of the action, which the library differentiates exactly, lead back to a flat metric, though
 //! to another one: at a flat metric an inner vertex may move in space without any curvature. So the Jacobian of the
-//! gradient, the Hessian of the action, has N kernel directions for each inner vertex. `cargo run --example relax`
+//! gradient, the Hessian of the action, has N kernel directions for each inner vertex. The cube is made to bulge first: a
+//! vertex inside a flat part of the boundary could move outwards with no change of length to first order, and would add a
+//! direction of its own. `cargo run --example relax`
 
 use nalgebra::{DMatrix, DVector};
 use regge::functional::{Rules, action_gradient, angle_defects, regge_action};
@@ -62,8 +64,19 @@ impl<'s> Lattice<'s> {
     }
 }
 
+/// A cube with inner vertices moved at random and a boundary that is strictly convex.
+fn bulging_cube(side: usize) -> Result<Mesh<N>, regge::Error> {
+    let mesh = Mesh::<N>::cube(side)?.perturbed(0.1, 4)?;
+    let points = mesh.points().unwrap_or_default().iter();
+    let bulged = points.map(|x| x * (1.0 - 0.1 * x.norm_squared())).collect();
+    let cells: Vec<Vec<usize>> = (0..mesh.cells())
+        .map(|cell| mesh.vertices(N, cell).iter().map(|&v| v as usize).collect())
+        .collect();
+    Mesh::new(bulged, &cells)
+}
+
 fn main() -> Result<(), regge::Error> {
-    let mesh = Mesh::<N>::cube(3)?.perturbed(0.1, 4)?;
+    let mesh = bulging_cube(3)?;
     let space = ReggeSpace::new(&mesh, 0);
     let flat =
         Interpolant::Canonical { order: 2 }.apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;

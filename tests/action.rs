@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{crooked_cube, random_regge};
+use common::{bulging_cube, crooked_cube, random_regge};
 use num_dual::Dual64;
 use regge::field::Combination;
 use regge::functional::{
@@ -180,7 +180,7 @@ fn the_boundary_of_a_simplex_has_its_closed_form() {
 }
 
 /// The Hessian is symmetric, differentiates the gradient (a central difference agrees to its own accuracy), and at a
-/// flat metric vanishes on the moves of the inner vertices, N each.
+/// flat metric vanishes on the moves of the inner vertices, N each, if the boundary is rigid to first order.
 fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
     let space = ReggeSpace::new(mesh, 0);
     let g = random_regge(&space, 0.02, 5);
@@ -188,7 +188,7 @@ fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
     let (size, odd) = (hessian.amax(), (&hessian - hessian.transpose()).amax());
     assert!(odd < ROUNDING * size, "{odd} of {size}");
     for edge in (0..mesh.count(1)).step_by(7) {
-        // Errors h² and rounding/h: some 1e-9 for h = 1e-5.
+        // Errors h² and rounding/h, of second derivatives of size 10: some 1e-9 for h = 1e-5, more on slivers.
         let h = 1e-5;
         let shifted = |h: f64| {
             let mut squares = g.coefficients().to_vec();
@@ -200,7 +200,8 @@ fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
         let (up, down) = (shifted(h), shifted(-h));
         for other in 0..mesh.count(1) {
             let difference = (up[other] - down[other]) / (2.0 * h);
-            assert!((difference - hessian[(other, edge)]).abs() < 1e-7);
+            let error = (difference - hessian[(other, edge)]).abs();
+            assert!(error < 1e-7 * size, "N = {N}, {edge}, {other}: {error:e} of {size}");
         }
     }
     let flat = Smooth::new(mesh, Metric::Flat).unwrap();
@@ -228,7 +229,7 @@ fn dense<const N: usize>(
 
 #[test]
 fn the_hessian_of_the_action_has_the_kernel_of_flat_space() {
-    hessian_is_the_second_derivative(&crooked_cube::<3>(2, 7));
+    hessian_is_the_second_derivative(&bulging_cube::<3>(2, 7));
     hessian_is_the_second_derivative(&Mesh::<4>::alfeld().unwrap());
 }
 

@@ -45,6 +45,18 @@ pub fn crooked_cube<const N: usize>(side: usize, seed: u64) -> Mesh<N> {
         .expect("small moves invert nothing")
 }
 
+/// The same with the boundary strictly convex. A vertex inside a flat part of the boundary may move outwards without any
+/// change of length to first order, which a flat metric does not feel either.
+pub fn bulging_cube<const N: usize>(side: usize, seed: u64) -> Mesh<N> {
+    let mesh = crooked_cube::<N>(side, seed);
+    let points = mesh.points().expect("a cube has coordinates").iter();
+    let bulged = points.map(|x| x * (1.0 - 0.1 * x.norm_squared())).collect();
+    let cells: Vec<Vec<usize>> = (0..mesh.cells())
+        .map(|cell| mesh.vertices(N, cell).iter().map(|&v| v as usize).collect())
+        .collect();
+    Mesh::new(bulged, &cells).expect("rays from the centre are kept")
+}
+
 /// The largest absolute value.
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
