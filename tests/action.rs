@@ -201,7 +201,10 @@ fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
         for other in 0..mesh.count(1) {
             let difference = (up[other] - down[other]) / (2.0 * h);
             let error = (difference - hessian[(other, edge)]).abs();
-            assert!(error < 1e-7 * size, "N = {N}, {edge}, {other}: {error:e} of {size}");
+            assert!(
+                error < 1e-7 * size,
+                "N = {N}, {edge}, {other}: {error:e} of {size}"
+            );
         }
     }
     let flat = Smooth::new(mesh, Metric::Flat).unwrap();

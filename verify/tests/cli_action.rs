@@ -176,7 +176,7 @@ fn higher_degrees_have_an_action_and_an_einstein_tensor() {
     write(
         &folder,
         "g.toml",
-        "dimension = 3\nconformal = \"4/(1 + x^2 + y^2 + z^2)^2\"\n",
+        "dimension = 3\nconformal = \"1/(1 + (x^2 + y^2 + z^2)/4)^2\"\n",
     );
     let arguments = "--mesh m.json --metric g.toml --degree 1";
     let action = json(&folder, "action", arguments);

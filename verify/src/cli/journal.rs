@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// Where the rows of a run go.
 #[derive(Clone, Debug, clap::Args)]
+#[group(skip)]
 pub struct Args {
     /// Write each row to this file as soon as it is there, as a line of JSON
     #[arg(long, value_name = "FILE.jsonl")]

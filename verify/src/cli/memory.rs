@@ -8,6 +8,7 @@ const GIB: f64 = (1u64 << 30) as f64;
 
 /// How much memory there is.
 #[derive(Clone, Debug, clap::Args)]
+#[group(skip)]
 pub struct Args {
     /// Refuse what is estimated to need more memory than this [default: what the system says is available]
     #[arg(long, value_name = "GIB", allow_negative_numbers = true, value_parser = positive)]

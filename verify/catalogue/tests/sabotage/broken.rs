@@ -43,13 +43,15 @@ fn is(fault: Fault) -> bool {
     FAULT.load(Ordering::Relaxed) == fault as u8
 }
 
-/// The quick catalogue in dimension 3, where nothing vanishes, with this fault; of the claims that `fill` names.
-pub fn report(fault: Fault, fill: fn(&mut Catalogue)) -> Report {
+/// The quick catalogue in dimension 3, where nothing vanishes, with this fault; of the claims that `fill` names, only
+/// these, or all if there are none.
+pub fn report(fault: Fault, fill: fn(&mut Catalogue), only: &[&str]) -> Report {
     let _guard = ONE_AT_A_TIME.lock().unwrap_or_else(|e| e.into_inner());
     FAULT.store(fault as u8, Ordering::Relaxed);
     let mut catalogue = Catalogue::new();
     fill(&mut catalogue);
     let options = Options {
+        only: only.iter().map(|&label| label.to_owned()).collect(),
         quick: true,
         dimension: Some(3),
         ..Options::default()
@@ -58,8 +60,8 @@ pub fn report(fault: Fault, fill: fn(&mut Catalogue)) -> Report {
 }
 
 /// The labels that fail, each once, in the order of the catalogue.
-pub fn broken_claims(fault: Fault, fill: fn(&mut Catalogue)) -> Vec<String> {
-    let report = report(fault, fill);
+pub fn broken_claims(fault: Fault, fill: fn(&mut Catalogue), only: &[&str]) -> Vec<String> {
+    let report = report(fault, fill, only);
     let mut labels: Vec<String> = report.failures().iter().map(|e| e.label.clone()).collect();
     labels.dedup();
     labels

@@ -9,7 +9,7 @@ fn claims(all: &mut Catalogue) {
 
 /// All of these fail, and none of those.
 fn finds(fault: Fault, broken: &[&str], sound: &[&str]) {
-    let found = broken_claims(fault, claims);
+    let found = broken_claims(fault, claims, &[broken, sound].concat());
     for label in broken {
         assert!(
             found.iter().any(|l| l == label),
@@ -26,7 +26,10 @@ fn finds(fault: Fault, broken: &[&str], sound: &[&str]) {
 
 #[test]
 fn nothing_fails_unbroken() {
-    assert_eq!(broken_claims(Fault::None, claims), Vec::<String>::new());
+    assert_eq!(
+        broken_claims(Fault::None, claims, &[]),
+        Vec::<String>::new()
+    );
 }
 
 #[test]
@@ -91,7 +94,7 @@ fn a_form_b_h_without_the_boundary_is_found() {
 
 #[test]
 fn the_message_has_the_simplest_case_and_few_numbers() {
-    let report = report(Fault::SignOfII, claims);
+    let report = report(Fault::SignOfII, claims, &["M05"]);
     let failures = report.failures();
     let m05 = |method: &str| {
         let mut entries = failures.iter();
