@@ -66,7 +66,7 @@ fn table_1_as_printed() {
         let order = row.order.unwrap_or(0.0);
         assert!(row.level < 4 || (ratio(row) - 1.0).abs() < 0.12, "{row:?}");
         assert!(
-            row.level < 6 || (order - (row.degree + 1) as f64).abs() < 0.15,
+            row.level < 5 || (order - (row.degree + 1) as f64).abs() < 0.15,
             "{row:?}"
         );
     }
