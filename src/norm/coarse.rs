@@ -5,7 +5,7 @@
 //! modes are eigenfunctions, with eigenvalues Σ λ_i + 2 Σ_{i<j} κ_i κ_j: what the modes' first derivatives couple beyond
 //! that is left out.
 
-use super::factor::parallelism;
+use super::factor::in_parallel;
 use super::hhj::Hhj;
 use super::lattice::Lattice;
 use super::skeleton::Skeleton;
@@ -125,7 +125,7 @@ fn rotate(s: &[Short], matrix: &DMatrix<Short>) -> Vec<Short> {
         MatRef::from_column_major_slice(s, from, rest).transpose(),
         MatRef::from_column_major_slice(matrix.as_slice(), from, to),
         1.0,
-        parallelism(),
+        in_parallel(),
     );
     out
 }
