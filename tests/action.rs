@@ -1,8 +1,6 @@
 //! Boundary terms, Regge's action and equations, the Einstein tensor against all Regge functions.
 
-mod common;
-
-use common::{bulging_cube, crooked_cube, random_regge};
+use crate::common::{bulging_cube, crooked_cube, random_regge};
 use num_dual::Dual64;
 use regge::field::Combination;
 use regge::functional::{

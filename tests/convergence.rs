@@ -1,5 +1,4 @@
 //! Orders of convergence of the H⁻² error, for every interpolant, inside bands that a wrong order would miss.
-#![cfg(feature = "norms")]
 
 use regge::functional::{Rules, distributional_curvature, smooth_curvature};
 use regge::mesh::Mesh;

@@ -1,8 +1,6 @@
 //! What holds on one mesh, to rounding, without refinement.
 
-mod common;
-
-use common::{crooked_cube, largest, random_regge};
+use crate::common::{crooked_cube, largest, random_regge};
 use nalgebra::SVector;
 use num_dual::Dual64;
 use regge::field::{Combination, TensorField};

@@ -1,8 +1,6 @@
 //! Lagrange spaces: numbering, traces, continuity.
 
-mod common;
-
-use common::crooked_cube;
+use crate::common::crooked_cube;
 use regge::lagrange::Lagrange;
 use regge::mesh::{Mesh, SplitMix64};
 use regge::quadrature::Rule;

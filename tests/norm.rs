@@ -1,9 +1,6 @@
 //! The H⁻² norm against an independent dense discretisation, exact solutions, and its own invariances.
-#![cfg(feature = "norms")]
 
-#[path = "norm/dense.rs"]
 mod dense;
-#[path = "norm/plate.rs"]
 mod plate;
 
 use plate::{load_of, plate_bilaplacian};

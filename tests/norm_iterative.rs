@@ -1,5 +1,4 @@
 //! The matrix-free solver against the direct one, and its own properties.
-#![cfg(feature = "norms")]
 
 use regge::Error;
 use regge::mesh::{Mesh, SplitMix64};

@@ -1,6 +1,5 @@
 //! Nothing is silently under-integrated: at the default order, raising it changes the H⁻² error by less than 10⁻³ of
 //! itself. A mesh whose cells are as large as the domain (k = 0) needs 20 orders more.
-#![cfg(feature = "norms")]
 
 use regge::functional::{Rules, distributional_curvature, smooth_curvature};
 use regge::mesh::Mesh;

@@ -1,9 +1,7 @@
 //! Regge spaces and interpolants.
 
-mod common;
-
-use common::oracle::{Oracle, load_all};
-use common::{crooked_cube, largest, random_regge};
+use crate::common::oracle::{Oracle, load_all};
+use crate::common::{crooked_cube, largest, random_regge};
 use nalgebra::SVector;
 use regge::field::TensorField;
 use regge::linalg::{Mat, Vector, form};

@@ -1,9 +1,7 @@
 //! The same bits for any number of threads.
 #![cfg(feature = "parallel")]
 
-mod common;
-
-use common::{crooked_cube, random_regge};
+use crate::common::{crooked_cube, random_regge};
 use regge::functional::{Rules, Sums, a_h, b_h, distributional_curvature};
 use regge::lagrange::Lagrange;
 use regge::regge::ReggeSpace;

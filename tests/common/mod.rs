@@ -1,5 +1,5 @@
 //! What several test files share.
-#![allow(dead_code, reason = "each test file uses a part")]
+#![allow(dead_code, reason = "each program uses a part")]
 
 pub mod oracle;
 

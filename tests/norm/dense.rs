@@ -1,7 +1,7 @@
 //! A second route to the discrete solution: the mixed method as it is printed, with Cartesian components of broken
 //! moments, multipliers for the continuity of σ(n,n), and one dense indefinite system.
 
-use crate::plate::Volume;
+use super::plate::Volume;
 use nalgebra::{DMatrix, DVector};
 use regge::lagrange::Lagrange;
 use regge::linalg::{Mat, Vector};

@@ -1,8 +1,6 @@
 //! `regge einstein` and `regge action` on closed manifolds whose answers are known, and N = 4.
 
-mod common;
-
-use common::files::{curvature, folder, run, write};
+use crate::common::files::{curvature, folder, run, write};
 use serde_json::Value;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -189,7 +187,7 @@ fn higher_degrees_have_an_action_and_an_einstein_tensor() {
         Some(4 * 2 + 6 * 3)
     );
     assert!(number(&einstein, "largest") > 1e-3);
-    write(&folder, "p.json", common::files::SQUARE);
+    write(&folder, "p.json", crate::common::files::SQUARE);
     write(&folder, "p.toml", "dimension = 2\nconformal = \"1\"\n");
     let plane = run(&folder, "einstein", "--mesh p.json --metric p.toml");
     assert_eq!(plane.status.code(), Some(2));

@@ -1,8 +1,6 @@
 //! `regge curvature` as its users meet it: the reference cases through files, spheres from lengths.
 
-mod common;
-
-use common::files::{SQUARE, curvature, folder, write};
+use crate::common::files::{SQUARE, curvature, folder, write};
 use serde_json::Value;
 use std::fmt::Write;
 use std::fs;

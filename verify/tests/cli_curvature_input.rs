@@ -1,8 +1,6 @@
 //! Bad input of `regge curvature`: one line, exit code 2, nothing written.
 
-mod common;
-
-use common::files::{SQUARE, curvature, folder, regge, write};
+use crate::common::files::{SQUARE, curvature, folder, regge, write};
 use std::fs;
 use std::path::Path;
 

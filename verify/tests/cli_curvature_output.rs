@@ -1,8 +1,6 @@
 //! What `regge curvature` writes: boundary terms, groups, VTU, pictures; and what is left when writing fails.
 
-mod common;
-
-use common::files::{SQUARE, curvature, folder, regge, write};
+use crate::common::files::{SQUARE, curvature, folder, regge, write};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

@@ -3,9 +3,7 @@
 //! The rows of level 0 have no random mesh. Their values with converged quadrature were computed by an unrelated
 //! program (NGSolve with ngsdiffgeo); those "as printed" are the paper's.
 
-mod common;
-
-use common::{as_printed, assert_close, errors, rows, study};
+use crate::common::{as_printed, assert_close, errors, rows, study};
 use regge_study::{Interpolation, ProjectionKind, Quantity, Row, Study};
 
 #[test]

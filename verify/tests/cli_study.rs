@@ -1,8 +1,6 @@
 //! The studies as a library: what rows hold, that quadrature is converged, that lanes are scalars.
 
-mod common;
-
-use common::{assert_close, errors, rows, study};
+use crate::common::{assert_close, errors, rows, study};
 use regge::functional::{Rules, distributional_curvature};
 use regge::lagrange::Lagrange;
 use regge::metrics::Metric;
@@ -23,7 +21,7 @@ fn rows_say_what_they_are() {
     for row in &found {
         assert_eq!(row.order.is_none(), row.level == 0, "{row:?}");
         assert_eq!(row.cells, 2 << (2 * row.level));
-        assert_eq!(row.seed, mesh_seed(common::SEED, row.level));
+        assert_eq!(row.seed, mesh_seed(crate::common::SEED, row.level));
         let remade = mesh::<2>(row.level, row.seed).expect("a mesh");
         assert_eq!(row.mesh_size, remade.mesh_size());
     }

@@ -1,0 +1,15 @@
+//! Meshes, spaces, kernels and functionals, as one program: what is generic is compiled once for all of its files.
+//!
+//! `cargo test -p regge --test geometry exactness` runs one of them.
+
+mod action;
+mod common;
+mod conventions;
+mod exactness;
+mod lagrange;
+mod mesh;
+mod oracle;
+mod quadrature;
+mod regge;
+mod scalars;
+mod threads;

@@ -1,0 +1,10 @@
+//! What needs the norm of H⁻², as one program: what is generic is compiled once for all of its files.
+//!
+//! `cargo test -p regge --test norms convergence` runs one of them.
+
+mod common;
+mod convergence;
+mod norm;
+mod norm_iterative;
+mod oracle_norms;
+mod quadrature_order;

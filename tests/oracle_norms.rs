@@ -1,0 +1,92 @@
+//! Every case of tests/oracle (computed by an unrelated code, see its README): the H⁻² norm of the error.
+
+use crate::common::oracle::{Oracle, load_all};
+use regge::functional::{Rules, distributional_curvature, smooth_curvature};
+use regge::mesh::Mesh;
+use regge::metrics::Metric;
+use regge::norm::HMinus2;
+use regge::quadrature::Rule;
+use regge::regge::{Interpolant, Projection, ReggeFunction};
+use regge::scalar::Lanes;
+use regge::smooth::Smooth;
+
+/// The H⁻² error of (Rω)_dist(g_h) − (Rω)(g) on an oracle's mesh, loads by rules of order 20.
+///
+/// The three L² norms are not converged in the oracle's N = 3 cases: it integrates them by a rule of order 5, while σ²
+/// has degree 2r + 2. With exact norms its r = 2 case is 0.0408482293, 2.4 % larger; with a rule of order 5 (another
+/// one than NGSolve's) it is found again to 1.1e-7.
+fn error<const N: usize>(oracle: &Oracle, mesh: &Mesh<N>, g_h: &ReggeFunction<'_, f64, N>) -> f64 {
+    let named = Metric::ALL
+        .iter()
+        .find(|m| m.0 == oracle.metric)
+        .expect("a known metric")
+        .1;
+    let g = Smooth::new(mesh, named).expect("coordinates");
+    let hm2 = HMinus2::new(mesh, oracle.degree + 2).expect("a norm");
+    let rules = Rules::new::<N>(20);
+    let mut load = distributional_curvature::<Lanes, _, _>(g_h, hm2.space(), &rules).total();
+    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.element);
+    for (l, s) in load.iter_mut().zip(smooth) {
+        *l -= s;
+    }
+    let rule = (N == 3).then(|| Rule::new(3, 5));
+    hm2.norm(&load, rule.as_ref()).expect("a solution").total()
+}
+
+/// With the oracle's own g_h, to the 1e-6 that its README asks for.
+fn norm<const N: usize>(oracle: &Oracle) {
+    let Some(known) = &oracle.hm2 else { return };
+    assert_eq!(known.hhj_degree, oracle.degree + 2);
+    let mesh = oracle.mesh::<N>();
+    let space = oracle.space(&mesh);
+    let error = error(oracle, &mesh, &oracle.metric(&space));
+    let off = (error - known.error).abs() / known.error;
+    assert!(
+        off < 1e-6,
+        "{}: {error} against {}",
+        oracle.name,
+        known.error
+    );
+}
+
+/// The appendix's average on the same meshes, from an independent program (the numbers came with the oracles).
+#[test]
+fn norms_of_the_appendix_average() {
+    let known = [
+        ("n2-structured-k2-r1", 0.0178783152),
+        ("n2-structured-k2-r2", 0.0018596369),
+        ("n3-structured-k1-r1", 0.0829077802),
+        ("n3-structured-k1-r2", 0.0255834283),
+    ];
+    let oracles = load_all();
+    for (name, known) in known {
+        let oracle = oracles.iter().find(|o| o.name == name).expect("the case");
+        let error = match oracle.dimension {
+            2 => average_error::<2>(oracle),
+            _ => average_error::<3>(oracle),
+        };
+        assert!(
+            (error - known).abs() < 1e-6 * known,
+            "{name}: {error} against {known}"
+        );
+    }
+}
+
+fn average_error<const N: usize>(oracle: &Oracle) -> f64 {
+    let mesh = oracle.mesh::<N>();
+    let space = oracle.space(&mesh);
+    let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
+    let average = Interpolant::Average(Projection::exact::<N>(oracle.degree));
+    error(oracle, &mesh, &average.apply(&space, &g).expect("a metric"))
+}
+
+#[test]
+fn norms_agree_with_every_oracle() {
+    for oracle in load_all() {
+        match oracle.dimension {
+            2 => norm::<2>(&oracle),
+            3 => norm::<3>(&oracle),
+            n => panic!("no oracle of dimension {n}"),
+        }
+    }
+}
