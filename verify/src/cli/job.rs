@@ -5,7 +5,7 @@ use super::memory;
 use super::progress::Progress;
 use super::stop::{Out, Stop};
 use super::{notes, output, picture, table};
-use regge_study::{Event, Report, Row, Study};
+use regge_study::{Event, Report, Row, Study, fits};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -40,6 +40,7 @@ impl Job {
         self.memory.check(&self.study)?;
         let rows = self.compute()?;
         let out = &mut Out::new();
+        table::fits(out, &fits(&self.study, &rows))?;
         for note in notes::of(&self.study, &rows) {
             writeln!(out, "\n{}", notes::wrapped(&note))?;
         }

@@ -2,7 +2,7 @@
 
 use regge::metrics::Metric;
 use regge_study::printed;
-use regge_study::{Interpolation, Named, Row, Study};
+use regge_study::{Fit, Interpolation, Named, Row, Study};
 use std::io::{self, Write};
 
 /// Writes the table's head.
@@ -47,6 +47,27 @@ pub fn line(out: &mut dyn Write, study: &Study, row: &Row) -> io::Result<()> {
             row.solver
         ))
     )
+}
+
+/// Writes the fitted orders, in the columns of the others.
+pub fn fits(out: &mut dyn Write, fits: &[Fit]) -> io::Result<()> {
+    if fits.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nFitted orders")?;
+    for fit in fits {
+        let levels: Vec<String> = fit.levels.iter().map(u32::to_string).collect();
+        writeln!(
+            out,
+            "{:>2}     {:20} {:40}{:>6}  {:>17}",
+            fit.degree,
+            fit.interpolant,
+            format!("k = {}", levels.join(", ")),
+            number(Some(fit.order), 2),
+            number(fit.printed, 2)
+        )?;
+    }
+    Ok(())
 }
 
 fn number(x: Option<f64>, digits: usize) -> String {

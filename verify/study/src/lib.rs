@@ -3,6 +3,7 @@
 //! A [`Study`] says what is to be computed and [`Study::run`] computes it, row by row. Nothing is printed here: an
 //! observer is told what goes on.
 
+mod fit;
 mod interpolation;
 mod memory;
 mod named;
@@ -14,6 +15,7 @@ mod row;
 mod rules;
 mod run;
 
+pub use fit::{Fit, fits};
 pub use interpolation::{Interpolation, ProjectionKind};
 pub use named::Named;
 pub use printed_rules::printed_rule;

@@ -47,16 +47,20 @@ impl Series {
 
     /// The printed order of a level: the tables have orders, made with the printed mesh sizes; the plots have none.
     pub fn order(&self, level: u32) -> Option<f64> {
+        if self.quantity != Quantity::CurvatureError {
+            return None;
+        }
+        observed_order(self.point(level.checked_sub(1)?)?, self.point(level)?)
+    }
+
+    /// The mesh size of the tables and the printed norm.
+    pub fn point(&self, level: u32) -> Option<(f64, f64)> {
         let h: &[f64] = if self.dimension == 2 {
             &MESH_SIZE_2
         } else {
             &MESH_SIZE_3
         };
-        if self.quantity != Quantity::CurvatureError || level == 0 {
-            return None;
-        }
-        let (before, now) = (*h.get(level as usize - 1)?, *h.get(level as usize)?);
-        observed_order((before, self.error(level - 1)?), (now, self.error(level)?))
+        Some((*h.get(level as usize)?, self.error(level)?))
     }
 }
 

@@ -1,7 +1,7 @@
 //! A study as one JSON object.
 
 use super::rules::{LoadQuadrature, QuadratureReport};
-use super::{Case, Named, Row, Study};
+use super::{Case, Fit, Named, Row, Study, fits};
 use serde::{Deserialize, Serialize};
 
 /// What a study was and what came out.
@@ -21,6 +21,9 @@ pub struct Report {
     pub seed: u64,
     /// Line by line.
     pub rows: Vec<Row>,
+    /// The orders over the finest levels.
+    #[serde(default)]
+    pub fits: Vec<Fit>,
 }
 
 /// What a row depends on besides its degree, level and interpolant: rows of the same make belong together.
@@ -76,6 +79,7 @@ impl Report {
                 orders: study.cases.iter().map(orders).collect(),
             },
             seed: study.seed,
+            fits: fits(study, &rows),
             rows,
         }
     }
