@@ -1,5 +1,6 @@
 //! `regge curvature`: from a mesh file to its curvature.
 
+use super::files::{self, Files};
 use super::given::{DETAILS, Given};
 use super::output;
 use super::phases::Phases;
@@ -29,12 +30,8 @@ pub struct Args {
     /// What is done on the boundary
     #[arg(long, default_value = "none")]
     boundary: AtBoundary,
-    /// Write everything to this file
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write the sums at the vertices to this file
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
+    #[command(flatten)]
+    files: Files,
     /// Write mesh and fields to this file, for ParaView
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
@@ -88,28 +85,14 @@ impl Args {
     /// What can be refused before any file is read.
     fn check(&self) -> Result<(), Stop> {
         self.given.check()?;
-        let files: Vec<&PathBuf> = self.files().collect();
-        for (i, path) in files.iter().enumerate() {
-            if files[..i].contains(path) {
-                let reason = format!("two things are to be written to {}", path.display());
-                return Err(Stop::Usage(reason));
-            }
-        }
         if let Some(path) = &self.plot {
             Picture::of(path)?;
         }
-        self.files().try_for_each(|path| output::check(path))
+        files::check(self.paths())
     }
 
-    fn files(&self) -> impl Iterator<Item = &PathBuf> {
-        let Self {
-            json,
-            csv,
-            vtu,
-            plot,
-            ..
-        } = self;
-        json.iter().chain(csv).chain(vtu).chain(plot)
+    fn paths(&self) -> impl Iterator<Item = &PathBuf> {
+        self.files.list().chain(&self.vtu).chain(&self.plot)
     }
 
     fn request(&self) -> Request {
@@ -122,18 +105,13 @@ impl Args {
                 AtBoundary::None => Boundary::None,
                 AtBoundary::GaussBonnet => Boundary::GaussBonnet,
             },
-            details: self.json.is_some(),
+            details: self.files.json.is_some(),
             fields: self.vtu.is_some() || self.plot.is_some(),
         }
     }
 
     fn write(&self, report: &CurvatureReport) -> Result<(), Stop> {
-        if let Some(path) = &self.json {
-            output::json(path, report)?;
-        }
-        if let Some(path) = &self.csv {
-            output::write_by(path, |out| table(report, out))?;
-        }
+        self.files.write(report, table)?;
         let Some(fields) = &report.fields else {
             return Ok(());
         };
@@ -147,40 +125,29 @@ impl Args {
     }
 
     fn show(&self, report: &CurvatureReport) -> Result<(), Stop> {
-        let mut out = Out::new();
+        let (mut out, about) = (Out::new(), &report.about);
         writeln!(
             out,
             "{}: N = {}, {} cells, Euler characteristic {}",
-            report.mesh, report.dimension, report.cell_count, report.euler_characteristic
+            about.mesh, about.dimension, report.cell_count, report.euler_characteristic
         )?;
         writeln!(
             out,
             "Regge metric: {}, degree {}",
-            report.interpolant, report.degree
+            about.interpolant, about.degree
         )?;
-        let state = match report.quadrature.settled {
-            Some(false) => ", the sums have NOT settled",
-            _ => "",
-        };
-        writeln!(
-            out,
-            "quadrature of order {}{state}",
-            report.quadrature.order
-        )?;
+        files::show_quadrature(&mut out, &report.about)?;
         writeln!(out, "boundary terms: {}", report.boundary)?;
         writeln!(out, "total curvature {:.12e}", report.total_curvature)?;
         if let Some(residual) = report.gauss_bonnet_residual {
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
         }
         if let Some(norm) = &report.hm2 {
-            let unsettled = norm.quadrature.settled == Some(false);
+            let unsettled = norm.quadrature.is_unsettled();
             let state = if unsettled { ", NOT settled" } else { "" };
             writeln!(out, "error in H^-2 {:.12e}{state}", norm.error)?;
         }
-        for path in self.files() {
-            writeln!(out, "written: {}", path.display())?;
-        }
-        Ok(())
+        files::show_written(&mut out, self.paths())
     }
 }
 
@@ -190,15 +157,8 @@ fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
     let name = if more { ",boundary" } else { "" };
     writeln!(out, "vertex,element,face,hinge{name},total")?;
     for v in &report.vertices {
-        write!(
-            out,
-            "{},{:e},{:e},{:e}",
-            v.vertex, v.element, v.face, v.hinge
-        )?;
-        if let Some(boundary) = v.boundary {
-            write!(out, ",{boundary:e}")?;
-        }
-        writeln!(out, ",{:e}", v.total)?;
+        write!(out, "{},", v.vertex)?;
+        files::parts(out, &v.sums)?;
     }
     Ok(())
 }
@@ -224,9 +184,10 @@ impl Picture {
 }
 
 fn draw(path: &Path, report: &CurvatureReport, fields: &Fields) -> Result<(), Stop> {
+    let about = &report.about;
     let title = format!(
         "{}: {} cells, {}, degree {}",
-        report.mesh, report.cell_count, report.interpolant, report.degree
+        about.mesh, report.cell_count, about.interpolant, about.degree
     );
     let svg = map::svg(fields, &title).map_err(Stop::Input)?;
     let bytes = match Picture::of(path)? {

@@ -4,6 +4,7 @@ mod action;
 mod converge;
 mod curvature;
 mod einstein;
+mod files;
 mod given;
 mod job;
 mod journal;

@@ -1,30 +1,20 @@
 //! Regge's action and its gradient in the edge lengths.
 
 use super::given::{Given, Phase, Source, Task, on_metric};
-use super::report::QuadratureUsed;
-use super::settle::{SUMS_SETTLE, Settled, relative_change, settle};
+use super::report::About;
+use super::settle::settle_sums;
 use super::{CurvatureError, failed};
 use crate::input::mesh::MeshFile;
-use regge::field::TensorField;
-use regge::functional::{Rules, action_gradient, regge_action};
+use regge::functional::{action_gradient, regge_action};
 use regge::scalar::Lanes;
 use serde::Serialize;
 
 /// What `regge action` writes.
 #[derive(Clone, Debug, Serialize)]
 pub struct ActionReport {
-    /// The version of the program.
-    pub version: &'static str,
-    /// The mesh file.
-    pub mesh: String,
-    /// N.
-    pub dimension: usize,
-    /// r.
-    pub degree: usize,
-    /// How the Regge metric was made.
-    pub interpolant: String,
-    /// The quadrature of the action.
-    pub quadrature: QuadratureUsed,
+    /// Of what metric.
+    #[serde(flatten)]
+    pub about: About,
     /// Interior and boundary together.
     pub action: f64,
     /// ½⟨(Rω)_dist, 1⟩; for r = 0 Σ̊_S Θ_S |S|.
@@ -74,15 +64,13 @@ impl Task for Action<'_> {
 
     fn run<const N: usize>(&self, given: &Given<'_, N>) -> Result<ActionReport, CurvatureError> {
         (self.phase)("summing the action");
-        let settled = self.parts(given)?;
-        let [interior, boundary] = settled.value;
+        let (g_h, mesh) = (given.g_h, given.g_h.space().mesh());
+        let parts = settle_sums(g_h, self.quadrature, 1, |rules| {
+            regge_action::<Lanes, N, _>(g_h, mesh, rules)
+        })?;
+        let [interior, boundary] = parts.value;
         let mut report = ActionReport {
-            version: env!("CARGO_PKG_VERSION"),
-            mesh: given.file.file.display().to_string(),
-            dimension: N,
-            degree: given.g_h.space().degree(),
-            interpolant: given.interpolant.into(),
-            quadrature: QuadratureUsed::of(&settled, SUMS_SETTLE),
+            about: About::of(given, &parts),
             action: interior + boundary,
             interior,
             boundary,
@@ -90,62 +78,32 @@ impl Task for Action<'_> {
             largest: None,
             schlaefli: None,
         };
-        if report.degree == 0 {
+        if report.about.degree == 0 {
             (self.phase)("differentiating the action");
-            self.gradient(given, &mut report)?;
+            gradient(given, &mut report)?;
         }
         Ok(report)
     }
 }
 
-impl Action<'_> {
-    fn parts<const N: usize>(
-        &self,
-        given: &Given<'_, N>,
-    ) -> Result<Settled<[f64; 2]>, CurvatureError> {
-        let (g_h, mesh) = (given.g_h, given.g_h.space().mesh());
-        let compute = |order| {
-            let rules = Rules::new::<N>(order);
-            Ok(regge_action::<Lanes, N, _>(g_h, mesh, &rules))
-        };
-        let settled = match (self.quadrature, TensorField::<f64, N>::is_constant(g_h)) {
-            (Some(order), _) => compute(order).map(|parts| Settled::given(parts, order)),
-            (None, true) => compute(1).map(|parts| Settled::exact(parts, 1)),
-            (None, false) => {
-                let first = Rules::default_order(g_h.space().degree());
-                settle(first, SUMS_SETTLE, compute, |a, b| {
-                    relative_change(a.iter(), b.iter())
-                })
-            }
-        };
-        let settled = settled.map_err(failed)?;
-        match settled.value.iter().all(|x| x.is_finite()) {
-            true => Ok(settled),
-            false => Err(CurvatureError::Failed(
-                "the action is not finite: the metric may be all but degenerate".into(),
-            )),
-        }
-    }
-
-    fn gradient<const N: usize>(
-        &self,
-        given: &Given<'_, N>,
-        report: &mut ActionReport,
-    ) -> Result<(), CurvatureError> {
-        let mesh = given.g_h.space().mesh();
-        let all = action_gradient(given.g_h).map_err(failed)?;
-        let edges: Vec<EdgeDerivative> = mesh
-            .interior(1)
-            .map(|edge| EdgeDerivative {
-                vertices: mesh.vertices(1, edge).to_vec(),
-                length: given.g_h.coefficients()[edge].sqrt(),
-                derivative: all.gradient[edge],
-            })
-            .collect();
-        let sizes = edges.iter().map(|e| e.derivative.abs());
-        report.largest = Some(sizes.fold(0.0, f64::max));
-        report.gradient = Some(edges);
-        report.schlaefli = Some(all.schlaefli);
-        Ok(())
-    }
+/// Adds the gradient to the report.
+fn gradient<const N: usize>(
+    given: &Given<'_, N>,
+    report: &mut ActionReport,
+) -> Result<(), CurvatureError> {
+    let mesh = given.g_h.space().mesh();
+    let all = action_gradient(given.g_h).map_err(failed)?;
+    let edges: Vec<EdgeDerivative> = mesh
+        .interior(1)
+        .map(|edge| EdgeDerivative {
+            vertices: mesh.vertices(1, edge).to_vec(),
+            length: given.g_h.coefficients()[edge].sqrt(),
+            derivative: all.gradient[edge],
+        })
+        .collect();
+    let sizes = edges.iter().map(|e| e.derivative.abs());
+    report.largest = Some(sizes.fold(0.0, f64::max));
+    report.gradient = Some(edges);
+    report.schlaefli = Some(all.schlaefli);
+    Ok(())
 }

@@ -3,8 +3,8 @@
 use super::fields::fields;
 use super::given::{Given, Phase, Task};
 use super::norm::norm_error;
-use super::report::{CurvatureReport, QuadratureUsed, VertexSums};
-use super::settle::SUMS_SETTLE;
+use super::report::{About, CurvatureReport, VertexSums};
+use super::settle::Settled;
 use super::simplices::{faces, hinges, is_tested, projected};
 use super::sums::{AllSums, sums};
 use super::{Boundary, CurvatureError, Request};
@@ -29,8 +29,7 @@ impl Task for Curvature<'_> {
         let hats = Lagrange::new(mesh, 1);
         (self.phase)("summing the curvature");
         let sums = sums(given.g_h, &hats, request.quadrature, request.boundary)?;
-        let mut report = self.head(given, &sums.value);
-        report.quadrature = QuadratureUsed::of(&sums, SUMS_SETTLE);
+        let mut report = self.head(given, &sums);
         report.vertices = vertex_sums(&hats, &sums.value, request.boundary);
         if request.norm {
             (self.phase)("solving for the norm");
@@ -58,19 +57,19 @@ impl Task for Curvature<'_> {
 
 impl Curvature<'_> {
     /// What is said of the whole.
-    fn head<const N: usize>(&self, given: &Given<'_, N>, sums: &AllSums) -> CurvatureReport {
+    fn head<const N: usize>(
+        &self,
+        given: &Given<'_, N>,
+        sums: &Settled<AllSums>,
+    ) -> CurvatureReport {
         let mesh = given.g_h.space().mesh();
-        let total = sums.total().iter().sum();
+        let total = sums.value.total().iter().sum();
         let flat = 4.0 * std::f64::consts::PI * mesh.euler_characteristic() as f64;
         let complete = mesh.is_closed() || self.request.boundary == Boundary::GaussBonnet;
         CurvatureReport {
-            version: env!("CARGO_PKG_VERSION"),
-            mesh: given.file.file.display().to_string(),
-            dimension: N,
+            about: About::of(given, sums),
             cell_count: mesh.cells(),
             closed: mesh.is_closed(),
-            degree: given.g_h.space().degree(),
-            interpolant: given.interpolant.into(),
             boundary: match self.request.boundary {
                 Boundary::None => "none",
                 Boundary::GaussBonnet => "gauss-bonnet",
@@ -90,16 +89,9 @@ fn vertex_sums<const N: usize>(
     sums: &AllSums,
     boundary: Boundary,
 ) -> Vec<VertexSums> {
-    let total = sums.total();
-    let tested = (0..hats.len()).filter(is_tested(hats, boundary));
-    tested
-        .map(|vertex| VertexSums {
-            vertex,
-            element: sums.inner.element[vertex],
-            face: sums.inner.face[vertex],
-            hinge: sums.inner.hinge[vertex],
-            boundary: sums.boundary.as_ref().map(|b| b[vertex]),
-            total: total[vertex],
-        })
+    let tested = is_tested(hats, boundary);
+    let all = sums.parts().into_iter().enumerate();
+    all.filter(|(vertex, _)| tested(vertex))
+        .map(|(vertex, sums)| VertexSums { vertex, sums })
         .collect()
 }

@@ -2,7 +2,7 @@
 
 use super::CurvatureError;
 use super::given::Given;
-use super::report::CurvatureReport;
+use super::report::{CurvatureReport, VertexSums};
 use crate::input::mesh::MeshFile;
 use regge::functional::{angle_defects, cell_curvatures, cell_volumes};
 use regge::lagrange::Lagrange;
@@ -79,10 +79,10 @@ pub fn fields<const N: usize>(
 /// The sums of the hat functions, and R_h.
 fn on_vertices(report: &CurvatureReport, vertices: usize) -> Vec<Field> {
     let mut lists = [(); 4].map(|()| vec![f64::NAN; vertices]);
-    for sums in &report.vertices {
+    for VertexSums { vertex, sums } in &report.vertices {
         let values = [sums.element, sums.face, sums.hinge, sums.total];
         for (list, value) in lists.iter_mut().zip(values) {
-            list[sums.vertex] = value;
+            list[*vertex] = value;
         }
     }
     let names = ["sum_element", "sum_face", "sum_hinge", "sum_total"];

@@ -17,7 +17,7 @@ pub use einstein::{EinsteinReport, EinsteinSums, einstein};
 pub use fields::Fields;
 pub use given::{Phase, Source};
 pub use report::{
-    CurvatureReport, FaceJump, HingeDefect, NormError, Projected, ProjectedCurvature,
+    About, CurvatureReport, FaceJump, HingeDefect, NormError, Parts, Projected, ProjectedCurvature,
     QuadratureUsed, TestSums, VertexSums,
 };
 

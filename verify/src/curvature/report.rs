@@ -1,29 +1,22 @@
 //! What `regge curvature` writes.
 
 use super::fields::Fields;
-use super::settle::Settled;
+use super::given::Given;
+use super::settle::{SUMS_SETTLE, Settled};
 use crate::input::mesh::Group;
+use regge::functional::Sums;
 use serde::Serialize;
 
 /// The curvature of a Regge metric on a mesh from a file.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct CurvatureReport {
-    /// The version of the program.
-    pub version: &'static str,
-    /// The mesh file.
-    pub mesh: String,
-    /// N.
-    pub dimension: usize,
+    /// Of what metric.
+    #[serde(flatten)]
+    pub about: About,
     /// Cells of the mesh.
     pub cell_count: usize,
     /// No boundary?
     pub closed: bool,
-    /// r.
-    pub degree: usize,
-    /// How the Regge metric was made: the interpolant's name, or `lengths`.
-    pub interpolant: String,
-    /// The quadrature of the sums.
-    pub quadrature: QuadratureUsed,
     /// What boundary terms are in the sums: `none`, the paper's choice, or `gauss-bonnet`.
     pub boundary: &'static str,
     /// Σ_T ∫ R + 2 Σ̊_F ∫ ⟦H⟧ + 2 Σ̊_S ∫ Θ_S, with the boundary terms if there are: the functional at v = 1.
@@ -53,6 +46,37 @@ pub struct CurvatureReport {
     pub fields: Option<Fields>,
 }
 
+/// What every report says of its metric and its sums.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct About {
+    /// The version of the program.
+    pub version: &'static str,
+    /// The mesh file.
+    pub mesh: String,
+    /// N.
+    pub dimension: usize,
+    /// r.
+    pub degree: usize,
+    /// How the Regge metric was made: the interpolant's name, or `lengths`.
+    pub interpolant: String,
+    /// The quadrature of the sums.
+    pub quadrature: QuadratureUsed,
+}
+
+impl About {
+    /// Of a metric, and how its sums settled.
+    pub(super) fn of<const N: usize, T>(given: &Given<'_, N>, sums: &Settled<T>) -> Self {
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            mesh: given.file.file.display().to_string(),
+            dimension: N,
+            degree: given.g_h.space().degree(),
+            interpolant: given.interpolant.into(),
+            quadrature: QuadratureUsed::of(sums, SUMS_SETTLE),
+        }
+    }
+}
+
 /// By which order was integrated, and what the last raise of it changed.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct QuadratureUsed {
@@ -72,6 +96,11 @@ impl QuadratureUsed {
             change: settled.change,
             settled: settled.change.map(|change| change <= limit),
         }
+    }
+
+    /// Is a result by this order in doubt?
+    pub fn is_unsettled(&self) -> bool {
+        self.settled == Some(false)
     }
 }
 
@@ -104,11 +133,9 @@ pub struct NormError {
     pub quadrature: QuadratureUsed,
 }
 
-/// The three sums for the hat function of a vertex, factors 2 included.
+/// A functional for one test function, by parts, factors 2 included.
 #[derive(Clone, Debug, Serialize)]
-pub struct VertexSums {
-    /// Its index in the file, from 0.
-    pub vertex: usize,
+pub struct Parts {
     /// Σ_T.
     pub element: f64,
     /// Σ_F.
@@ -122,22 +149,41 @@ pub struct VertexSums {
     pub total: f64,
 }
 
-/// The three sums for one of Bernstein's basis functions.
+impl Parts {
+    /// For each test function of a space.
+    pub(super) fn of(inner: &Sums<f64>, boundary: Option<&[f64]>) -> Vec<Self> {
+        let of = |(dof, inner_total): (usize, f64)| {
+            let boundary = boundary.map(|b| b[dof]);
+            Self {
+                element: inner.element[dof],
+                face: inner.face[dof],
+                hinge: inner.hinge[dof],
+                boundary,
+                total: inner_total + boundary.unwrap_or(0.0),
+            }
+        };
+        inner.total().into_iter().enumerate().map(of).collect()
+    }
+}
+
+/// The curvature against the hat function of a vertex.
+#[derive(Clone, Debug, Serialize)]
+pub struct VertexSums {
+    /// Its index in the file, from 0.
+    pub vertex: usize,
+    /// The sums.
+    #[serde(flatten)]
+    pub sums: Parts,
+}
+
+/// The curvature against one of Bernstein's basis functions.
 #[derive(Clone, Debug, Serialize)]
 pub struct TestSums {
     /// The vertices of the simplex that carries the function.
     pub simplex: Vec<u32>,
-    /// Σ_T.
-    pub element: f64,
-    /// Σ_F.
-    pub face: f64,
-    /// Σ_S.
-    pub hinge: f64,
-    /// The boundary terms, if they were asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub boundary: Option<f64>,
-    /// Their sum.
-    pub total: f64,
+    /// The sums.
+    #[serde(flatten)]
+    pub sums: Parts,
 }
 
 /// A hinge.

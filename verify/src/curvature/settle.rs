@@ -1,6 +1,11 @@
 //! The order of quadrature is raised until nothing changes.
 
+use super::{CurvatureError, failed};
 use regge::Error;
+use regge::field::TensorField;
+use regge::functional::{Rules, Sums};
+use regge::quadrature::Rule;
+use regge::regge::ReggeFunction;
 
 /// By how much the sums may still change, relative to the largest.
 pub const SUMS_SETTLE: f64 = 1e-8;
@@ -65,6 +70,56 @@ pub fn settle<T>(
         order,
         change: last.is_finite().then_some(last),
     })
+}
+
+/// Numbers that settle together.
+pub trait Entries {
+    /// All of them.
+    fn entries(&self) -> impl Iterator<Item = &f64>;
+}
+
+impl Entries for Sums<f64> {
+    fn entries(&self) -> impl Iterator<Item = &f64> {
+        self.element.iter().chain(&self.face).chain(&self.hinge)
+    }
+}
+
+impl<const M: usize> Entries for [f64; M] {
+    fn entries(&self) -> impl Iterator<Item = &f64> {
+        self.iter()
+    }
+}
+
+/// Sums over a Regge metric by the order asked for, or by one that is high enough: if the metric is constant in every
+/// cell, by the order `exact`.
+///
+/// # Errors
+/// The metric is not positive definite where it was looked at, or a sum is not finite.
+pub fn settle_sums<const N: usize, T: Entries>(
+    g_h: &ReggeFunction<'_, f64, N>,
+    quadrature: Option<usize>,
+    exact: usize,
+    compute: impl Fn(&Rules) -> T,
+) -> Result<Settled<T>, CurvatureError> {
+    let compute = |order| compute(&Rules::new::<N>(order));
+    let settled = match (quadrature, TensorField::<f64, N>::is_constant(g_h)) {
+        (Some(order), _) => Settled::given(compute(order), order),
+        (None, true) => Settled::exact(compute(exact), exact),
+        (None, false) => {
+            let first = Rules::default_order(g_h.space().degree());
+            let change = |a: &T, b: &T| relative_change(a.entries(), b.entries());
+            settle(first, SUMS_SETTLE, |order| Ok(compute(order)), change).map_err(failed)?
+        }
+    };
+    let points = Rule::new(N, settled.order);
+    g_h.check_positive(points.points()).map_err(failed)?;
+    let finite = settled.value.entries().all(|x| x.is_finite());
+    match finite {
+        true => Ok(settled),
+        false => Err(CurvatureError::Failed(
+            "a sum is not finite: the metric may be all but degenerate".into(),
+        )),
+    }
 }
 
 /// The largest difference of two lists, relative to the largest entry of the second.

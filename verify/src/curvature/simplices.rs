@@ -52,20 +52,17 @@ pub fn test_sums<const N: usize>(
     sums: &AllSums,
     boundary: Boundary,
 ) -> Vec<TestSums> {
-    let total = sums.total();
-    let of = |dof: usize| {
-        let (k, simplex) = space.owner(dof);
-        TestSums {
-            simplex: space.mesh().vertices(k, simplex).to_vec(),
-            element: sums.inner.element[dof],
-            face: sums.inner.face[dof],
-            hinge: sums.inner.hinge[dof],
-            boundary: sums.boundary.as_ref().map(|b| b[dof]),
-            total: total[dof],
-        }
-    };
     let tested = is_tested(space, boundary);
-    (0..space.len()).filter(tested).map(of).collect()
+    let all = sums.parts().into_iter().enumerate();
+    all.filter(|(dof, _)| tested(dof))
+        .map(|(dof, sums)| {
+            let (k, simplex) = space.owner(dof);
+            TestSums {
+                simplex: space.mesh().vertices(k, simplex).to_vec(),
+                sums,
+            }
+        })
+        .collect()
 }
 
 /// R_h^(q), with its sums if they were asked for.

@@ -1,11 +1,10 @@
 //! The sums for all test functions of a degree, by an order of quadrature that is high enough.
 
-use super::settle::{SUMS_SETTLE, Settled, relative_change, settle};
-use super::{Boundary, CurvatureError, failed};
-use regge::field::TensorField;
+use super::report::Parts;
+use super::settle::{Entries, Settled, settle_sums};
+use super::{Boundary, CurvatureError};
 use regge::functional::{Rules, Sums, boundary_curvature, distributional_curvature};
 use regge::lagrange::Lagrange;
-use regge::quadrature::Rule;
 use regge::regge::ReggeFunction;
 use regge::scalar::Lanes;
 
@@ -18,26 +17,22 @@ pub struct AllSums {
     pub boundary: Option<Vec<f64>>,
 }
 
-impl AllSums {
+impl Entries for AllSums {
     fn entries(&self) -> impl Iterator<Item = &f64> {
-        let Sums {
-            element,
-            face,
-            hinge,
-        } = &self.inner;
-        let all = element.iter().chain(face).chain(hinge);
-        all.chain(self.boundary.iter().flatten())
+        let outer = self.boundary.iter().flatten();
+        self.inner.entries().chain(outer)
+    }
+}
+
+impl AllSums {
+    /// By test function.
+    pub fn parts(&self) -> Vec<Parts> {
+        Parts::of(&self.inner, self.boundary.as_deref())
     }
 
     /// The whole functional, by test function.
     pub fn total(&self) -> Vec<f64> {
-        let mut total = self.inner.total();
-        if let Some(boundary) = &self.boundary {
-            for (sum, b) in total.iter_mut().zip(boundary) {
-                *sum += b;
-            }
-        }
-        total
+        self.parts().iter().map(|parts| parts.total).collect()
     }
 }
 
@@ -48,34 +43,10 @@ pub fn sums<const N: usize>(
     quadrature: Option<usize>,
     boundary: Boundary,
 ) -> Result<Settled<AllSums>, CurvatureError> {
-    let compute = |order| {
-        let rules = Rules::new::<N>(order);
-        let outer = || {
-            let sums = boundary_curvature::<Lanes, N, _>(g_h, space, &rules);
-            sums.total()
-        };
-        Ok(AllSums {
-            inner: distributional_curvature::<Lanes, N, _>(g_h, space, &rules),
-            boundary: (boundary == Boundary::GaussBonnet).then(outer),
-        })
-    };
-    let settled = match (quadrature, TensorField::<f64, N>::is_constant(g_h)) {
-        (Some(order), _) => Settled::given(compute(order).map_err(failed)?, order),
-        // Θ_S ω_S is constant on hinges: what is integrated is the test function.
-        (None, true) => Settled::exact(compute(space.degree()).map_err(failed)?, space.degree()),
-        (None, false) => {
-            let first = Rules::default_order(g_h.space().degree());
-            let change = |a: &AllSums, b: &AllSums| relative_change(a.entries(), b.entries());
-            settle(first, SUMS_SETTLE, compute, change).map_err(failed)?
-        }
-    };
-    g_h.check_positive(Rule::new(N, settled.order).points())
-        .map_err(failed)?;
-    let finite = settled.value.entries().all(|x| x.is_finite());
-    match finite {
-        true => Ok(settled),
-        false => Err(CurvatureError::Failed(
-            "a sum is not finite: the metric may be all but degenerate".into(),
-        )),
-    }
+    // Θ_S ω_S of a constant metric is constant on hinges: what is integrated is the test function.
+    settle_sums(g_h, quadrature, space.degree(), |rules: &Rules| AllSums {
+        inner: distributional_curvature::<Lanes, N, _>(g_h, space, rules),
+        boundary: (boundary == Boundary::GaussBonnet)
+            .then(|| boundary_curvature::<Lanes, N, _>(g_h, space, rules).total()),
+    })
 }

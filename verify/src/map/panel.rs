@@ -1,0 +1,145 @@
+//! One panel: a field on the cells or at the vertices, and its colour bar.
+
+use super::range::Range;
+use crate::curvature::Fields;
+use std::fmt::Write;
+
+/// The larger side of a drawing.
+const SIDE: f64 = 420.0;
+
+/// What a panel shows.
+pub enum Shown<'a> {
+    /// A number for each cell.
+    Cells(Vec<f64>),
+    /// A number for each vertex, as a disc; NaN is left out.
+    Vertices(&'a [f64]),
+}
+
+/// From the mesh to the paper.
+pub struct Plane {
+    low: [f64; 2],
+    scale: f64,
+    /// How wide the drawing is.
+    pub width: f64,
+    /// How high.
+    pub height: f64,
+}
+
+impl Plane {
+    /// That all points fit.
+    pub fn new(fields: &Fields) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for point in fields.points.chunks_exact(3) {
+            for i in 0..2 {
+                low[i] = low[i].min(point[i]);
+                high[i] = high[i].max(point[i]);
+            }
+        }
+        let size = [high[0] - low[0], high[1] - low[1]];
+        let scale = SIDE / size[0].max(size[1]);
+        Self {
+            low,
+            scale,
+            // A panel is wide enough for its title, and high enough for the labels of its bar.
+            width: (size[0] * scale).max(240.0),
+            height: (size[1] * scale).max(160.0),
+        }
+    }
+
+    /// y points upwards in the mesh and downwards on the paper.
+    fn place(&self, fields: &Fields, vertex: usize) -> [f64; 2] {
+        let x = (fields.points[3 * vertex] - self.low[0]) * self.scale;
+        let y = self.height - (fields.points[3 * vertex + 1] - self.low[1]) * self.scale;
+        [x, y]
+    }
+
+    /// A field with its colour bar.
+    pub fn panel(&self, fields: &Fields, shown: &Shown<'_>, text: &mut String) {
+        let range = match shown {
+            Shown::Cells(values) => {
+                let range = Range::new(values);
+                self.cells(fields, |cell| range.color(values[cell]), text);
+                range
+            }
+            Shown::Vertices(values) => {
+                let range = Range::new(values);
+                self.cells(fields, |_| "#ffffff".into(), text);
+                self.discs(fields, values, &range, text);
+                range
+            }
+        };
+        self.bar(&range, text);
+        self.labels(&range, text);
+    }
+
+    fn cells(&self, fields: &Fields, fill: impl Fn(usize) -> String, text: &mut String) {
+        let cells = fields.cells.chunks_exact(3);
+        // Edges of cells that are hardly larger than a point would hide their colour.
+        let (stroke, width) = match cells.len() > 5000 {
+            true => ("none", 0.0),
+            false => ("#888", 0.4),
+        };
+        for (cell, vertices) in cells.enumerate() {
+            let fill = fill(cell);
+            let _ = write!(
+                text,
+                "<polygon fill=\"{fill}\" stroke-width=\"{width}\" stroke=\"{stroke}\" points=\""
+            );
+            for &v in vertices {
+                let [x, y] = self.place(fields, v as usize);
+                let _ = write!(text, "{x:.2},{y:.2} ");
+            }
+            text.push_str("\"/>\n");
+        }
+    }
+
+    fn discs(&self, fields: &Fields, values: &[f64], range: &Range, text: &mut String) {
+        let cells = fields.cells.len() as f64 / 3.0;
+        let radius = (0.35 * (self.width * self.height / cells).sqrt()).clamp(0.8, 9.0);
+        for (vertex, value) in values.iter().enumerate().filter(|(_, v)| v.is_finite()) {
+            let ([x, y], fill) = (self.place(fields, vertex), range.color(*value));
+            let _ = writeln!(
+                text,
+                "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"{fill}\" \
+                 stroke=\"#444\" stroke-width=\"{:.2}\"/>",
+                radius.min(3.0) * 0.15
+            );
+        }
+    }
+
+    /// The colour bar to the right of the panel.
+    fn bar(&self, range: &Range, text: &mut String) {
+        let (left, steps) = (self.width + 16.0, 100);
+        let step = self.height / f64::from(steps);
+        for i in 0..steps {
+            let part = (f64::from(i) + 0.5) / f64::from(steps);
+            let fill = range.color(range.low + part * (range.high - range.low));
+            let _ = writeln!(
+                text,
+                "<rect x=\"{left:.1}\" y=\"{:.2}\" width=\"18\" height=\"{:.2}\" fill=\"{fill}\"/>",
+                self.height - f64::from(i + 1) * step,
+                step + 0.5
+            );
+        }
+        let _ = writeln!(
+            text,
+            "<rect x=\"{left:.1}\" y=\"0\" width=\"18\" height=\"{:.2}\" fill=\"none\" stroke=\"#444\"/>",
+            self.height
+        );
+    }
+
+    /// Five values beside the bar, its ends among them.
+    fn labels(&self, range: &Range, text: &mut String) {
+        for i in 0..=4 {
+            let part = f64::from(i) / 4.0;
+            let value = range.low + part * (range.high - range.low);
+            let _ = writeln!(
+                text,
+                "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"13\">{}</text>",
+                self.width + 41.0,
+                self.height * (1.0 - part) + 4.5,
+                range.label(value)
+            );
+        }
+    }
+}
