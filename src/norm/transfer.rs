@@ -192,20 +192,31 @@ impl<const N: usize> Frame<N> {
 
 impl Functional {
     fn new<const N: usize>(k: usize, p: usize, skeleton: &Skeleton) -> Self {
-        let nodes = multi_indices(k + 1, p);
-        let lambda = nodes.iter().flatten().map(|&a| a as f64 / p as f64);
-        let points = Points::new(k + 1, lambda.collect());
-        let u = fit(&Bernstein::new(k + 1, p), &points);
-        let own: Vec<usize> = (0..nodes.len())
-            .filter(|&a| nodes[a].iter().all(|&e| e > 0))
+        let inside = |alpha: &[usize]| alpha.iter().all(|&e| e > 0);
+        let bernstein = multi_indices(k + 1, p);
+        let own: Vec<usize> = (0..bernstein.len())
+            .filter(|&a| inside(&bernstein[a]))
             .collect();
-        let normals = match k + 1 == N {
+        let has_normals = k + 1 == N;
+        // Where u has no unknown, the nodes of û alone are enough, and half as many; P_0 has none to speak of.
+        let degree = match own.is_empty() && has_normals && p > 1 {
+            true => p - 1,
+            false => p,
+        };
+        let nodes = multi_indices(k + 1, degree);
+        let lambda = nodes.iter().flatten().map(|&a| a as f64 / degree as f64);
+        let points = Points::new(k + 1, lambda.collect());
+        let values = match own.is_empty() {
+            true => DMatrix::zeros(0, points.len()),
+            false => fit(&Bernstein::new(k + 1, p), &points).select_rows(&own),
+        };
+        let normals = match has_normals {
             true => fit(&Bernstein::new(k + 1, p - 1), &points),
             false => DMatrix::zeros(0, points.len()),
         };
         debug_assert_eq!(own.len() + normals.nrows(), skeleton.widths[k]);
         Self {
-            values: u.select_rows(&own),
+            values,
             normals,
             points,
         }
