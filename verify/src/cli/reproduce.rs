@@ -36,7 +36,7 @@ Examples:
 pub struct Args {
     /// Which one
     target: Target,
-    /// Levels k: 0..=7, 0..8 or 3 [default: all of the paper's, table1 0..=7, table2 and figure2 0..=6]
+    /// Levels k: 0..=7, 0..8 or 3 [default: the paper's: table1 0..=7, table2 and figure2 0..=6, 0..=5 for figure2 with r = 2]
     #[arg(long, value_name = "A..=B")]
     levels: Option<Levels>,
     /// Degrees r of the Regge metric
@@ -130,10 +130,12 @@ impl Target {
         }
     }
 
-    fn default_levels(self) -> std::ops::RangeInclusive<u32> {
-        match self {
-            Self::Table1 => 0..=7,
-            Self::Table2 | Self::Figure2 => 0..=6,
+    /// Those of the paper, which stops a level earlier with its dearest curves.
+    fn default_levels(self, degree: usize) -> std::ops::RangeInclusive<u32> {
+        match (self, degree) {
+            (Self::Table1, _) => 0..=7,
+            (Self::Figure2, 2..) => 0..=5,
+            (Self::Table2 | Self::Figure2, _) => 0..=6,
         }
     }
 
@@ -199,13 +201,13 @@ impl Args {
     }
 
     fn cases(&self) -> Vec<Case> {
-        let levels = || match &self.levels {
+        let levels = |degree| match &self.levels {
             Some(levels) => levels.0.clone(),
-            None => self.target.default_levels().collect(),
+            None => self.target.default_levels(degree).collect(),
         };
         let of_degree = |&degree: &usize| {
             let case = move |level| Case { degree, level };
-            levels().into_iter().map(case)
+            levels(degree).into_iter().map(case)
         };
         self.degrees.iter().flat_map(of_degree).collect()
     }
