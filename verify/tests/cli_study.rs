@@ -10,7 +10,7 @@ use regge::smooth::Smooth;
 use regge_study::printed::SERIES;
 use regge_study::{
     Case, Event, Interpolation, LoadQuadrature, Phase, Quadrature, Quantity, Study,
-    converged_order, mesh, mesh_seed, printed_rule,
+    converged_order, fits, mesh, mesh_seed, printed_rule,
 };
 
 #[test]
@@ -28,6 +28,25 @@ fn rows_say_what_they_are() {
     let order =
         (found[1].error / found[2].error).ln() / (found[1].mesh_size / found[2].mesh_size).ln();
     assert_close(&[found[2].order.unwrap()], &[order], 1e-14);
+}
+
+/// Over the three finest levels of each sequence, whatever the order of the rows; the paper's beside it, of r = 0 only the
+/// orders 1.57 and 1.41 of its table between levels 2, 3 and 4.
+#[test]
+fn fitted_orders_are_of_the_finest_levels() {
+    let study = study(2, &[0, 1], 1..=4);
+    let mut found = rows(&study);
+    found.retain(|row| row.degree == 0 || row.level > 2);
+    let fitted = fits(&study, &found);
+    assert_eq!(fitted.len(), 1, "two levels have no fit");
+    assert_eq!((fitted[0].degree, &fitted[0].levels), (0, &vec![2, 3, 4]));
+    let between: Vec<f64> = found.iter().filter_map(|row| row.order).collect();
+    let (low, high) = (between[1].min(between[2]), between[1].max(between[2]));
+    assert!(low < fitted[0].order && fitted[0].order < high);
+    let printed = fitted[0].printed.expect("the paper's order");
+    assert!(1.41 < printed && printed < 1.57, "{printed}");
+    found.reverse();
+    assert_eq!(fits(&study, &found), fitted);
 }
 
 #[test]
