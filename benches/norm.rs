@@ -41,11 +41,17 @@ fn solvers<const N: usize>(c: &mut Criterion, level: u32, degree: usize) {
     group.finish();
 }
 
+/// Level 6 is 1 572 864 cells and up to 7 GB: `REGGE_BENCH_FINEST=6` asks for it.
+fn finest() -> u32 {
+    let asked = std::env::var("REGGE_BENCH_FINEST").ok();
+    asked.and_then(|level| level.parse().ok()).unwrap_or(5)
+}
+
 /// Operations as the throughput: the report's elements a second are Flop/s.
 fn operator(c: &mut Criterion, degree: usize) {
     let mut group = c.benchmark_group(format!("matrix-free N=3 p={degree}"));
     group.sample_size(10);
-    for level in 3..=5 {
+    for level in 3..=finest() {
         let mesh = perturbed::<3>(level);
         let hhj = Hhj::new(&mesh, degree).expect("a problem");
         let solver = Iterative::new(&hhj).expect("a solver");

@@ -70,15 +70,15 @@ def mesh_file(ours, directory, n, k, seed=3):
 def functional(ours, peer, directory, degrees):
     """The best of several runs each, and how far the two agree."""
     print("\nFunctional, N = 3, k = 3, hat functions, rules of order 2(r+2), µs a tetrahedron")
-    print(" r      ours     peer    ratio   largest difference of a sum, of its largest entry")
+    print(" r      ours     peer    ratio   angles alone (r = 0)    ratio   largest difference of a sum, of its largest entry")
     for r in degrees:
         mesh = mesh_file(ours, directory, 3, 3)
         mine = run([ours, "functional", 3, 3, r, 1, "lanes", 20])[0]
         other = run([*peer, "functional", mesh, r, 4])[0]
-        a, b = mine["microseconds_per_cell"], other["microseconds_per_cell"]
+        a, b, c = mine["microseconds_per_cell"], other["microseconds_per_cell"], other["spared_per_cell"]
         names = [name for name in ("element", "face", "hinge") if name in other]
         worst = max(difference(mine[name], other[name]) for name in names)
-        print(f"{r:2} {a:9.2f} {b:8.1f} {b / a:8.1f}   {worst:.1e}")
+        print(f"{r:2} {a:9.2f} {b:8.1f} {b / a:8.1f} {c:22.1f} {c / a:8.1f}   {worst:.1e}")
 
 
 def difference(mine, other):

@@ -114,26 +114,28 @@ def functional(path, degree, runs):
     sums = curvature(
         dg.RiemannianManifold(g_h), hats.TestFunction(), rules(mesh.dim, 2 * (degree + 2))
     )
-    if degree == 0:
-        # R and H vanish: it would be unfair to let the peer compute them.
-        sums = sums[2:]
     forms = [ngs.LinearForm(hats) for _ in sums]
     for form, term in zip(forms, sums):
         form += term
-    seconds = []
-    for _ in range(runs):
-        start = now()
-        for form in forms:
-            form.Assemble()
-        seconds.append(now() - start)
-    names = ("element", "face", "hinge")[-len(forms) :]
-    values = {n: [form.vec[v] for v in inside] for n, form in zip(names, forms)}
+    seconds = [[assemble(form) for form in forms] for _ in range(runs)]
+    best = min(map(sum, seconds))
+    # R and H vanish for r = 0: a program that knows it need not compute them.
+    spared = min(times[2] for times in seconds) if degree == 0 else best
+    names = ("element", "face", "hinge") if degree > 0 else ("hinge",)
+    values = {n: [form.vec[v] for v in inside] for n, form in zip(names, forms[-len(names) :])}
     return {
         "cells": mesh.ne,
-        "seconds": min(seconds),
-        "microseconds_per_cell": min(seconds) * 1e6 / mesh.ne,
+        "seconds": best,
+        "microseconds_per_cell": best * 1e6 / mesh.ne,
+        "spared_per_cell": spared * 1e6 / mesh.ne,
         **values,
     }
+
+
+def assemble(form):
+    start = now()
+    form.Assemble()
+    return now() - start
 
 
 def gauss(gradient, second):
