@@ -50,18 +50,18 @@ pub fn second_variation(draw: &mut Draw) -> (f64, f64) {
     let regge = ReggeSpace::new(&mesh, 0);
     let (g, sigma) = (flat(&regge), variation(&regge, draw));
     (
-        hessian::<Paper, 3>(&mesh, &g, &sigma, &sigma),
+        hessian::<Paper, 3>(&mesh, &g, &sigma, &sigma).iter().sum(),
         -bilinear::<Paper, 3>(&mesh, &g, &sigma, &sigma),
     )
 }
 
-/// ∂²/∂s∂t ⟨(Rω)_dist(g+sρ+tσ), 1⟩.
+/// ∂²/∂s∂t ⟨(Rω)_dist(g+sρ+tσ), φ⟩ for the hat functions φ.
 fn hessian<K: Formulas, const N: usize>(
     mesh: &Mesh<N>,
     g: &Regge<'_, f64, N>,
     rho: &Regge<'_, f64, N>,
     sigma: &Regge<'_, f64, N>,
-) -> f64 {
+) -> Vec<f64> {
     let (hats, rules) = (Lagrange::new(mesh, 1), Rules::new::<N>(2));
     let three = g
         .coefficients()
@@ -73,7 +73,7 @@ fn hessian<K: Formulas, const N: usize>(
         .collect();
     let moved = function(g.space(), moved);
     let sums = distributional_curvature_with::<K, HyperDual64, N, _>(&moved, &hats, &rules);
-    sums.hinge.iter().map(|x| x.eps1eps2).sum()
+    sums.hinge.iter().map(|x| x.eps1eps2).collect()
 }
 
 impl OnMesh for M13 {
@@ -111,19 +111,25 @@ impl OnMesh for M13 {
             let a = a_h_with::<K, Dual64, N, _, _>(&moved, &against, &hats, &rules);
             a.hinge.iter().map(|x| x.eps).sum()
         };
-        let hessian = hessian::<K, N>(&mesh, &g, &rho, &sigma);
+        let by_hats = hessian::<K, N>(&mesh, &g, &rho, &sigma);
+        let hessian: f64 = by_hats.iter().sum();
+        // The sums are of hundreds of hinges with either sign, and may be small by chance.
+        let size = vec![by_hats.iter().map(|x| x.abs()).sum::<f64>()];
         let formula = bilinear::<K, N>(&mesh, &g, &rho, &sigma);
         vec![
             Equation::new("d/dt⟨Gω(δ+tρ),σ⟩")
                 .left("d/dt⟨Gω(δ+tρ),σ⟩", gradient(&rho, &sigma))
                 .right("½ΣΣ⟦ρ(n,τ)⟧Tr(σ|_S)", -formula)
+                .magnitude(size.clone())
                 .forge("the printed sign of τ", "½ΣΣ⟦ρ(n,τ)⟧Tr(σ|_S)", formula),
             Equation::new("symmetry")
                 .left("d/dt⟨Gω(δ+tρ),σ⟩", gradient(&rho, &sigma))
-                .right("d/dt⟨Gω(δ+tσ),ρ⟩", gradient(&sigma, &rho)),
+                .right("d/dt⟨Gω(δ+tσ),ρ⟩", gradient(&sigma, &rho))
+                .magnitude(size.clone()),
             Equation::new("second variation")
                 .left("∂²⟨Rω(δ+sρ+tσ),1⟩", hessian)
                 .right("−½ΣΣ⟦ρ(n,τ)⟧Tr(σ|_S)", formula)
+                .magnitude(size)
                 .forge("the printed sign of τ", "−½ΣΣ⟦ρ(n,τ)⟧Tr(σ|_S)", -formula)
                 .forge(
                     "Regge's action for ⟨Rω,1⟩",
