@@ -17,7 +17,8 @@ pub(crate) struct Factor {
 }
 
 /// Columns of L that are shorter than this on the average make products of blocks that are over before a second thread
-/// is awake: measured, one thread takes 3/4 of the time for N = 2 (level 7, p = 4) and 2/3 for N = 3 (level 2, p = 4).
+/// is awake: measured, one thread takes 3/4 of the time for N = 2 (level 7, p = 4) and 2/3 for N = 3 (level 2, p = 4). Where
+/// exactly two begin to pay was not measured: a block of 400 columns is milliseconds of work, a thread wakes in microseconds.
 const LONG_COLUMN: usize = 400;
 
 /// The degree of parallelism depends on the matrix alone, since the order of the sums depends on it.
