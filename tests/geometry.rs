@@ -9,6 +9,7 @@ mod exactness;
 mod lagrange;
 mod mesh;
 mod oracle;
+mod pointwise;
 mod quadrature;
 mod regge;
 mod scalars;
