@@ -20,11 +20,7 @@ impl Source<'_> {
     }
 
     fn jet<const N: usize>(&mut self) -> Jet2<f64, N> {
-        let mut dd = [[0.0; N]; N];
-        let (value, d) = (self.number(), std::array::from_fn(|_| self.number()));
-        (0..N).for_each(|m| (m..N).for_each(|n| dd[m][n] = self.number()));
-        (0..N).for_each(|m| (0..m).for_each(|n| dd[m][n] = dd[n][m]));
-        Jet2 { value, d, dd }
+        Jet2::from_numbers(|| self.number())
     }
 
     fn vector<const N: usize>(&mut self) -> Vector<Jet2<f64, N>, N> {

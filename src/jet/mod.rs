@@ -129,6 +129,19 @@ impl<T: Field, const N: usize> Jet2<T, N> {
         jet
     }
 
+    /// The jet of these numbers: value, first derivatives, then ∂_m∂_n for m ≤ n, row by row.
+    pub fn from_numbers(mut next: impl FnMut() -> T) -> Self {
+        let mut jet = Self::constant(next());
+        jet.d = std::array::from_fn(|_| next());
+        for m in 0..N {
+            for n in m..N {
+                jet.dd[m][n] = next();
+                jet.dd[n][m] = jet.dd[m][n];
+            }
+        }
+        jet
+    }
+
     /// f(self), from (f, f′, f″) at the value.
     #[inline]
     fn chain(self, (f, f1, f2): (T, T, T)) -> Self {

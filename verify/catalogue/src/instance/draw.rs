@@ -45,15 +45,7 @@ impl<'a, B: Ground> Source<'a, B> {
     }
 
     pub fn jet2<const N: usize>(&mut self) -> Jet2<B, N> {
-        let Jet1 { value, d } = self.jet1();
-        let mut dd = [[B::zero(); N]; N];
-        for m in 0..N {
-            for n in m..N {
-                dd[m][n] = self.next();
-                dd[n][m] = dd[m][n];
-            }
-        }
-        Jet2 { value, d, dd }
+        Jet2::from_numbers(|| self.next())
     }
 }
 
