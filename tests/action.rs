@@ -1,6 +1,6 @@
 //! Boundary terms, Regge's action and equations, the Einstein tensor against all Regge functions.
 
-use crate::common::{bulging_cube, crooked_cube, random_regge};
+use crate::common::{bulging_cube, crooked_cube, dense, random_regge};
 use num_dual::Dual64;
 use regge::field::Combination;
 use regge::functional::{
@@ -161,22 +161,6 @@ fn regges_gradient_is_the_derivative_of_the_action() {
     gradient_is_the_derivative(&Mesh::<4>::alfeld().unwrap());
 }
 
-/// ∂Δ⁴ with all edges 1: ten edges, three cells around each: Θ = 2π − 3 arccos ⅓, and the action is 10 Θ; its
-/// derivative in each length is Θ.
-#[test]
-fn the_boundary_of_a_simplex_has_its_closed_form() {
-    let mesh = Mesh::<3>::simplex_boundary().unwrap();
-    let space = ReggeSpace::new(&mesh, 0);
-    let g = space.function(vec![1.0; space.len()]).unwrap();
-    let theta = 2.0 * PI - 3.0 * (1.0f64 / 3.0).acos();
-    let [inside, outside] = regge_action::<f64, 3, _>(&g, &mesh, &Rules::new::<3>(1));
-    assert!((inside - 10.0 * theta).abs() < ROUNDING);
-    assert_eq!(outside, 0.0);
-    let all = action_gradient(&g).unwrap();
-    assert!(all.gradient.iter().all(|d| (d - theta).abs() < ROUNDING));
-    assert!(all.schlaefli < ROUNDING);
-}
-
 /// The Hessian is symmetric, differentiates the gradient (a central difference agrees to its own accuracy), and at a
 /// flat metric vanishes on the moves of the inner vertices, N each, if the boundary is rigid to first order.
 fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
@@ -215,17 +199,6 @@ fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
     let values = inner.symmetric_eigen().eigenvalues;
     let kernel = values.iter().filter(|x| x.abs() < 1e-9).count();
     assert_eq!(kernel, N * mesh.interior(0).count());
-}
-
-fn dense<const N: usize>(
-    mesh: &Mesh<N>,
-    entries: &[(usize, usize, f64)],
-) -> nalgebra::DMatrix<f64> {
-    let mut matrix = nalgebra::DMatrix::zeros(mesh.count(1), mesh.count(1));
-    for &(i, j, value) in entries {
-        matrix[(i, j)] += value;
-    }
-    matrix
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! The numbers of docs/conventions.md.
 
+use regge::formulas::Formulas;
 use regge::functional::{
-    Rules, boundary_curvature, cell_volumes, distributional_curvature, einstein_against,
+    Rules, b_h, b_h_with, boundary_curvature, cell_volumes, distributional_curvature,
+    einstein_against,
 };
 use regge::hypersurface::{Normal, mean_curvature, second_form, trace_reversed};
 use regge::jet::{Jet1, Jet2};
@@ -117,6 +119,33 @@ fn a_triangle_has_a_volume_and_a_total() {
     let outer = boundary_curvature::<f64, 2, _>(&g, &Lagrange::new(&mesh, 1), &rules);
     close(outer.total().iter().sum(), 4.0 * PI);
     close(outer.hinge[0], 2.0 * (PI - PI / 3.0));
+}
+
+/// b_h with σ = g is (1−N) ∫ Δv and back by the divergence theorem: Δλ_0² = 2|∇λ_0|² = 8/3 on an area of √3/4. Without
+/// the boundary its face sum is empty here.
+#[test]
+fn b_h_counts_the_faces_of_the_boundary() {
+    struct InteriorFaces;
+    impl Formulas for InteriorFaces {
+        fn face_in_b(interior: bool) -> bool {
+            interior
+        }
+    }
+    let mesh = Mesh::<2>::single().unwrap();
+    let space = ReggeSpace::new(&mesh, 0);
+    let g = space.function(vec![1.0; 3]).unwrap();
+    let (squares, rules) = (Lagrange::new(&mesh, 2), Rules::new::<2>(2));
+    let b = b_h::<f64, 2, _, _>(&g, &g, &squares, &rules);
+    close(b.face[0], 2.0 / 3f64.sqrt());
+    close(b.element[0], -2.0 / 3f64.sqrt());
+    let inner = b_h_with::<InteriorFaces, f64, 2, _, _>(&g, &g, &squares, &rules);
+    assert_eq!(inner.face, vec![0.0; squares.len()]);
+    assert_eq!(inner.element, b.element);
+}
+
+#[test]
+fn the_default_order_is_as_stated() {
+    assert_eq!([0, 1, 2].map(Rules::default_order), [6, 8, 10]);
 }
 
 #[test]

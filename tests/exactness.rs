@@ -4,7 +4,7 @@ use crate::common::{crooked_cube, largest, random_regge};
 use nalgebra::SVector;
 use num_dual::Dual64;
 use regge::field::{Combination, TensorField};
-use regge::functional::{Rules, Sums, a_h, angle_defects, b_h, distributional_curvature};
+use regge::functional::{Rules, Sums, a_h, b_h, distributional_curvature};
 use regge::jet::Jet2;
 use regge::lagrange::Lagrange;
 use regge::linalg::{Mat, symmetric};
@@ -52,37 +52,6 @@ fn gauss_bonnet_on_torus_and_sphere() {
             }
         }
     }
-}
-
-/// ∂Δ^{N+1} with edges of length 1: three regular N-simplices around each hinge, dihedral angle arccos(1/N). Everything is
-/// constant: 1e-14 is a few roundings of numbers up to 2π.
-fn regular<const N: usize>(volume: f64) {
-    let mesh = Mesh::<N>::simplex_boundary().expect("a sphere");
-    let space = ReggeSpace::new(&mesh, 0);
-    let g = random_regge(&space, 0.0, 1);
-    let hats = Lagrange::new(&mesh, 1);
-    let defects = angle_defects(&g, &hats, 3);
-    let expected = std::f64::consts::TAU - 3.0 * (1.0 / N as f64).acos();
-    assert_eq!(defects.len(), mesh.count(N - 2));
-    for (i, &(hinge, defect, size)) in defects.iter().enumerate() {
-        assert_eq!(hinge, i);
-        assert!((defect - expected).abs() < 1e-14, "N = {N}: {defect}");
-        assert!((size - volume).abs() < 1e-14, "N = {N}: {size}");
-    }
-    let [t, f, s] = curvature(&g, &hats, 3).pair(&vec![1.0; hats.len()]);
-    let total = 2.0 * expected * volume * defects.len() as f64;
-    assert_eq!([t, f], [0.0; 2]);
-    assert!(
-        (s - total).abs() < 1e-13 * total,
-        "N = {N}: {s} for {total}"
-    );
-}
-
-#[test]
-fn angle_defects_of_regular_spheres() {
-    regular::<2>(1.0);
-    regular::<3>(1.0);
-    regular::<4>(3f64.sqrt() / 4.0);
 }
 
 /// A smooth metric has no angle defects and no jumps of H; nothing is integrated here but exact zeros.

@@ -12,5 +12,6 @@ mod oracle;
 mod pointwise;
 mod quadrature;
 mod regge;
+mod regular;
 mod scalars;
 mod threads;

@@ -61,3 +61,15 @@ pub fn bulging_cube<const N: usize>(side: usize, seed: u64) -> Mesh<N> {
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }
+
+/// The matrix of these entries, by edges.
+pub fn dense<const N: usize>(
+    mesh: &Mesh<N>,
+    entries: &[(usize, usize, f64)],
+) -> nalgebra::DMatrix<f64> {
+    let mut matrix = nalgebra::DMatrix::zeros(mesh.count(1), mesh.count(1));
+    for &(i, j, value) in entries {
+        matrix[(i, j)] += value;
+    }
+    matrix
+}
