@@ -161,6 +161,32 @@ fn regges_gradient_is_the_derivative_of_the_action() {
     gradient_is_the_derivative(&Mesh::<4>::alfeld().unwrap());
 }
 
+/// The whole action is homogeneous of degree N−2 in the lengths: Σ ℓ ∂S/∂ℓ = (N−2) S (Euler), for any lengths.
+fn gradient_obeys_euler<const N: usize>(mesh: &Mesh<N>) {
+    let space = ReggeSpace::new(mesh, 0);
+    let g = random_regge(&space, 0.02, 6);
+    let [inside, outside] = regge_action::<f64, N, _>(&g, mesh, &Rules::new::<N>(1));
+    let gradient = action_gradient(&g).unwrap().gradient;
+    let squares = g.coefficients().iter();
+    let paired: f64 = (squares.zip(&gradient)).map(|(q, d)| q.sqrt() * d).sum();
+    let expected = (N as f64 - 2.0) * (inside + outside);
+    assert!(
+        (paired - expected).abs() < ROUNDING,
+        "N = {N}: {paired} {expected}"
+    );
+    assert!(
+        inside.abs() > 1e-3 && outside.abs() > 1e-3,
+        "{inside} {outside}"
+    );
+}
+
+#[test]
+fn the_action_is_homogeneous() {
+    gradient_obeys_euler(&crooked_cube::<3>(2, 7));
+    gradient_obeys_euler(&Mesh::<4>::alfeld().unwrap());
+    gradient_obeys_euler(&Mesh::<5>::alfeld().unwrap());
+}
+
 /// The Hessian is symmetric, differentiates the gradient (a central difference agrees to its own accuracy), and at a
 /// flat metric vanishes on the moves of the inner vertices, N each, if the boundary is rigid to first order.
 fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {

@@ -121,6 +121,19 @@ fn a_triangle_has_a_volume_and_a_total() {
     close(outer.hinge[0], 2.0 * (PI - PI / 3.0));
 }
 
+/// ∂Δ³ with all edges 1 has Θ = π at each vertex: 2π Σ c_i for v = Σ c_i v_i.
+#[test]
+fn sums_are_paired_with_coefficients() {
+    let mesh = Mesh::<2>::simplex_boundary().unwrap();
+    let space = ReggeSpace::new(&mesh, 0);
+    let g = space.function(vec![1.0; space.len()]).unwrap();
+    let hats = Lagrange::new(&mesh, 1);
+    let sums = distributional_curvature::<f64, 2, _>(&g, &hats, &Rules::new::<2>(1));
+    let [cells, edges, vertices] = sums.pair(&[0.0, 1.0, -2.0, 5.0]);
+    assert_eq!([cells, edges], [0.0; 2]);
+    close(vertices, 8.0 * PI);
+}
+
 /// b_h with σ = g is (1−N) ∫ Δv and back by the divergence theorem: Δλ_0² = 2|∇λ_0|² = 8/3 on an area of √3/4. Without
 /// the boundary its face sum is empty here.
 #[test]
