@@ -174,10 +174,7 @@ fn gradient_obeys_euler<const N: usize>(mesh: &Mesh<N>) {
         (paired - expected).abs() < ROUNDING,
         "N = {N}: {paired} {expected}"
     );
-    assert!(
-        inside.abs() > 1e-3 && outside.abs() > 1e-3,
-        "{inside} {outside}"
-    );
+    assert!(expected.abs() > 1e-3, "{expected}");
 }
 
 #[test]
@@ -185,6 +182,8 @@ fn the_action_is_homogeneous() {
     gradient_obeys_euler(&crooked_cube::<3>(2, 7));
     gradient_obeys_euler(&Mesh::<4>::alfeld().unwrap());
     gradient_obeys_euler(&Mesh::<5>::alfeld().unwrap());
+    // As many triangles as tetrahedra has that one; this one has not.
+    gradient_obeys_euler(&Mesh::<5>::single().unwrap());
 }
 
 /// The Hessian is symmetric, differentiates the gradient (a central difference agrees to its own accuracy), and at a
