@@ -6,6 +6,7 @@ mod action;
 mod common;
 mod conventions;
 mod exactness;
+mod field;
 mod lagrange;
 mod mesh;
 mod oracle;

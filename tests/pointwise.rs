@@ -70,6 +70,7 @@ macro_rules! in_every_dimension {
 }
 
 in_every_dimension! {
+    products_and_traces_are_their_sums: products;
     the_connection_is_metric: parallel_metric;
     derivatives_obey_leibniz: leibniz;
     divergences_agree_with_coordinates: divergences;
@@ -85,6 +86,30 @@ fn close(name: &str, a: f64, b: f64) -> Outcome {
     right
         .then_some(())
         .ok_or_else(|| TestCaseError::fail(format!("{name}: {a} is not {b}")))
+}
+
+/// ⟨σ, ρ⟩ = g^ik g^jl σ_ij ρ_kl, Tr σ = ⟨g, σ⟩, 𝕊σ = σ − g Tr σ.
+fn products<const N: usize>(source: &mut Source<'_>) -> Outcome {
+    let connection = Connection::new(&lower(&source.metric::<N>()));
+    let mut tensor = || lower(&lower(&source.tensor::<N>()));
+    let (sigma, rho) = (tensor(), tensor());
+    let inverse = &connection.inverse;
+    close(
+        "g⁻¹g",
+        (inverse * connection.g - Mat::<f64, N>::identity()).amax(),
+        0.0,
+    )?;
+    let expected = quadruples::<N>()
+        .map(|[i, j, k, l]| inverse[(i, k)] * inverse[(j, l)] * sigma[(i, j)] * rho[(k, l)]);
+    close("⟨σ, ρ⟩", connection.inner(&sigma, &rho), expected.sum())?;
+    let trace = connection.trace(&sigma);
+    close("Tr σ", trace, connection.inner(&connection.g, &sigma))?;
+    let reversed = sigma - connection.g * trace;
+    close(
+        "𝕊σ",
+        (connection.reverse_trace(&sigma) - reversed).amax(),
+        0.0,
+    )
 }
 
 /// ∇g = 0, div (f g) = df.

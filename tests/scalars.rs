@@ -1,6 +1,5 @@
 //! One kernel, many scalars: each scalar gives what another route gives.
 
-use nalgebra::SVector;
 use num_dual::{Dual, Dual2_64, Dual64, HyperDual64};
 use regge::jet::{Jet, Jet1, Jet2, lower};
 use regge::linalg::{Mat, inverse_and_det, symmetric};
@@ -161,41 +160,22 @@ fn curvature_of_known_metrics() {
     closed_forms::<5>();
 }
 
-/// R_ijkl = g_ik g_jl − g_il g_jk on the unit sphere; its symmetries and Bianchi's identity for a metric without any; Ric
-/// of the sphere is (N−1) g.
+/// R_ijkl = g_ik g_jl − g_il g_jk on the unit sphere, and Ric = (N−1) g.
 #[test]
-fn lowered_curvature() {
-    let jets = |metric: Metric| {
-        let x: [f64; 4] = std::array::from_fn(|i| 0.4 - 0.3 * i as f64);
-        let at: [Jet2<f64, 4>; 4] = std::array::from_fn(|i| Jet2::coordinate(x[i], i));
-        metric.at(&at)
-    };
-    let (sphere, generic) = (jets(Metric::Sphere), jets(Metric::Trig));
-    let (on_sphere, anywhere) = (
-        Connection::new(&lower(&sphere)),
-        Connection::new(&lower(&generic)),
-    );
-    let (known, r) = (
-        Curvature::new(&sphere, &on_sphere),
-        Curvature::new(&generic, &anywhere),
-    );
-    let g = &on_sphere.g;
+fn lowered_curvature_of_the_sphere() {
+    let x: [Jet2<f64, 4>; 4] = std::array::from_fn(|i| Jet2::coordinate(0.4 - 0.3 * i as f64, i));
+    let sphere = Metric::Sphere.at(&x);
+    let connection = Connection::new(&lower(&sphere));
+    let (g, curvature) = (&connection.g, Curvature::new(&sphere, &connection));
     for index in 0..256 {
         let [i, j, k, l] = [index / 64, index / 16 % 4, index / 4 % 4, index % 4];
         let expected = g[(i, k)] * g[(j, l)] - g[(i, l)] * g[(j, k)];
-        close(known.riemann([i, j, k, l]), expected, 1e-13);
-        let at = |a, b, c, d| r.riemann([a, b, c, d]);
-        close(at(i, j, k, l), -at(j, i, k, l), 1e-15);
-        close(at(i, j, k, l), at(k, l, i, j), 1e-15);
-        close(at(i, j, k, l) + at(i, k, l, j) + at(i, l, j, k), 0.0, 1e-15);
+        close(curvature.riemann([i, j, k, l]), expected, 1e-13);
     }
-    assert!(r.riemann([0, 1, 0, 1]).abs() > 1e-3, "it is curved");
-    let ricci = known.ricci();
+    let ricci = curvature.ricci();
     for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
         close(ricci[(i, j)], 3.0 * g[(i, j)], 1e-13);
     }
-    close(r.scalar(), Connection::new(&generic).scalar(), 1e-14);
-    close(r.scalar(), anywhere.trace(&r.ricci()), 1e-14);
 }
 
 /// The paper's own formula, section 5, at a point: 162(1−x²)(1−y²)/(9+q(x)+q(y))², q(x) = x²(x²−3)².
@@ -224,31 +204,4 @@ fn duals_go_through_the_kernel() {
     close(curvature(Metric::Trig, moving).eps, difference, 1e-7);
     let lanes = curvature(Metric::Trig, at(0.0).map(Lanes::from_f64)).to_array();
     close(lanes[2], curvature(Metric::Trig, at(0.0)), 1e-13);
-}
-
-/// div div (g Tr σ) = Δ Tr σ: two ways through the connection.
-#[test]
-fn divergence_and_laplacian() {
-    let x: [Jet2<f64, 3>; 3] = std::array::from_fn(|i| Jet2::coordinate(0.2 + 0.1 * i as f64, i));
-    let g = Metric::Trig.at(&x);
-    let sigma: Mat<Jet2<f64, 3>, 3> = symmetric(|i, j| (x[i] * x[j]).sin() + x[0] * x[1] * x[2]);
-    let (inverse, _) = inverse_and_det(&g);
-    let trace = regge::riemann::trace(&inverse, &sigma);
-    let connection = Connection::new(&g);
-    let spread = symmetric(|i, j| g[(i, j)] * trace);
-    close(
-        connection.div_div(&spread),
-        connection.laplacian(&trace),
-        1e-13,
-    );
-    let hessian = connection.lower().hessian(&trace);
-    close(
-        connection.lower().trace(&hessian),
-        connection.laplacian(&trace),
-        1e-13,
-    );
-    let gradient = connection
-        .lower()
-        .sharp(&SVector::from_fn(|m, _| trace.d(m).value));
-    assert!(gradient.norm() > 0.0);
 }

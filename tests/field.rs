@@ -1,0 +1,84 @@
+//! Fields made of fields, and what tells a metric from a tensor that is none.
+
+use regge::field::{Combination, TensorField};
+use regge::jet::Jet2;
+use regge::linalg::{Mat, indefinite_pivot, symmetric};
+use regge::simplex::Points;
+
+/// The same tensor everywhere, whose derivatives claim otherwise; says that it is constant or does not.
+struct Given {
+    component: f64,
+    constant: bool,
+}
+
+impl TensorField<f64, 2> for Given {
+    type Table = ();
+    type Local = ();
+
+    fn tabulate(&self, _: &Points) {}
+    fn on_cell(&self, _: usize) {}
+    fn jet2(&self, (): &(), (): &(), _: usize) -> Mat<Jet2<f64, 2>, 2> {
+        let mut next = self.component;
+        let jet = Jet2::from_numbers(|| {
+            next += 1.0;
+            next
+        });
+        symmetric(|_, _| jet)
+    }
+    fn is_constant(&self) -> bool {
+        self.constant
+    }
+}
+
+/// (1−t) a + t b, in values and derivatives, in all the forms in which a field may be asked.
+#[test]
+fn segments_join_two_fields() {
+    let given = |component| Given {
+        component,
+        constant: false,
+    };
+    let (a, b) = (given(10.0), given(30.0));
+    for t in [0.0, 0.25, 1.0, 1.5] {
+        let segment = Combination::segment(&a, &b, t);
+        let (local, table) = (((), ()), ((), ()));
+        let second = segment.jet2(&local, &table, 0)[(0, 1)];
+        let first = segment.jet1(&local, &table, 0)[(0, 1)];
+        let value = segment.value(&local, &table, 0)[(0, 1)];
+        let start = 10.0 + 20.0 * t;
+        assert_eq!([second.value, first.value, value], [start + 1.0; 3]);
+        assert_eq!([second.d, first.d], [[start + 2.0, start + 3.0]; 2]);
+        assert_eq!(
+            second.dd,
+            [[start + 4.0, start + 5.0], [start + 5.0, start + 6.0]]
+        );
+    }
+}
+
+/// A combination is constant on cells if both parts are; a reference is what it refers to.
+#[test]
+fn constants_are_known_through_what_is_made_of_them() {
+    for (one, other) in [(true, true), (true, false), (false, true), (false, false)] {
+        let given = |constant| Given {
+            component: 1.0,
+            constant,
+        };
+        let (a, b) = (given(one), given(other));
+        let through = <&Given as TensorField<f64, 2>>::is_constant(&&a);
+        assert_eq!(through, one);
+        let sum = Combination::new(1.0, &a, 1.0, &b);
+        assert_eq!(TensorField::<f64, 2>::is_constant(&sum), one && other);
+    }
+}
+
+/// The first pivot of LDLᵀ that is not positive.
+#[test]
+fn indefinite_tensors_are_found_out() {
+    let pivot = |diagonal: [f64; 3]| {
+        indefinite_pivot::<3>(&symmetric(|i, j| if i == j { diagonal[i] } else { 0.5 }))
+    };
+    assert_eq!(pivot([1.0, 1.0, 1.0]), None);
+    assert_eq!(pivot([-1.0, 1.0, 1.0]), Some(-1.0));
+    assert_eq!(pivot([1.0, 0.25, 1.0]), Some(0.0));
+    assert_eq!(pivot([1.0, 0.0, 1.0]), Some(-0.25));
+    assert!(pivot([1.0, f64::NAN, 1.0]).is_some_and(f64::is_nan));
+}
