@@ -1,61 +1,12 @@
 //! The geometry at one point against what characterises it, for random metrics. A failure shrinks towards g = δ.
 
+use crate::common::draw::{Outcome, Source, check, close};
 use nalgebra::DMatrix;
-use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use regge::hinge::Hinge;
 use regge::hypersurface::{Normal, mean_curvature, omega_f, outward, second_form, surface_div};
-use regge::jet::{Jet1, Jet2, lower, lower_vector};
+use regge::jet::{Jet1, lower, lower_vector};
 use regge::linalg::{Mat, Vector, apply, contract, form, symmetric};
 use regge::riemann::{Connection, Curvature};
-
-/// Some hundred roundings of numbers of size 10: eigenvalues of g lie between 0.2 and 1.8.
-const ROUNDING: f64 = 1e-12;
-
-/// Hands out random numbers in [−1, 1) as tensors.
-struct Source<'a>(std::slice::Iter<'a, f64>);
-
-impl Source<'_> {
-    fn number(&mut self) -> f64 {
-        *self.0.next().expect("NUMBERS is enough")
-    }
-
-    fn jet<const N: usize>(&mut self) -> Jet2<f64, N> {
-        Jet2::from_numbers(|| self.number())
-    }
-
-    fn vector<const N: usize>(&mut self) -> Vector<Jet2<f64, N>, N> {
-        Vector::from_fn(|_, _| self.jet())
-    }
-
-    fn tensor<const N: usize>(&mut self) -> Mat<Jet2<f64, N>, N> {
-        symmetric(|_, _| self.jet())
-    }
-
-    /// δ + s/5: the row sums of |s|/5 are below 4/5.
-    fn metric<const N: usize>(&mut self) -> Mat<Jet2<f64, N>, N> {
-        let fifth = Jet2::constant(0.2);
-        let delta = |i, j| Jet2::constant(f64::from(u8::from(i == j)));
-        symmetric(|i, j| delta(i, j) + fifth * self.jet())
-    }
-}
-
-/// More than a metric, two tensors and three vectors take when N = 4.
-const NUMBERS: usize = 800;
-
-type Outcome = Result<(), TestCaseError>;
-
-fn check(property: impl Fn(&mut Source<'_>) -> Outcome) {
-    let config = Config {
-        cases: 32,
-        failure_persistence: None,
-        ..Config::default()
-    };
-    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-    let numbers = proptest::collection::vec(-1.0..1.0, NUMBERS);
-    TestRunner::new_with_rng(config, rng)
-        .run(&numbers, |numbers| property(&mut Source(numbers.iter())))
-        .unwrap_or_else(|failure| panic!("{failure}"));
-}
 
 /// The same in dimensions 2, 3 and 4.
 macro_rules! in_every_dimension {
@@ -79,13 +30,6 @@ in_every_dimension! {
     normals_are_unit_and_bend: hypersurface;
     hinges_are_where_faces_meet: hinge;
     measures_are_minors: measures;
-}
-
-fn close(name: &str, a: f64, b: f64) -> Outcome {
-    let right = (a - b).abs() < ROUNDING;
-    right
-        .then_some(())
-        .ok_or_else(|| TestCaseError::fail(format!("{name}: {a} is not {b}")))
 }
 
 /// ⟨σ, ρ⟩ = g^ik g^jl σ_ij ρ_kl, Tr σ = ⟨g, σ⟩, 𝕊σ = σ − g Tr σ.

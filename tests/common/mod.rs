@@ -1,6 +1,7 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each program uses a part")]
 
+pub mod draw;
 pub mod oracle;
 
 use regge::mesh::{Mesh, SplitMix64};
