@@ -5,17 +5,18 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use num_dual::Dual64;
-use regge::functional::{Rules, distributional_curvature};
-use regge::lagrange::Lagrange;
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::regge::{Interpolant, ReggeFunction, ReggeSpace};
-use regge::scalar::{Lanes, Lift, Real};
-use regge::smooth::Smooth;
+use regge_curvature::functional::{Rules, distributional_curvature};
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::scalar::{Lanes, Lift, Real};
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 use std::hint::black_box;
 
 /// All of ⟨(Rω)_dist(g_h), ·⟩ in scalar T.
-fn by_scalar<T: Real, const N: usize>(c: &mut Criterion, name: &str, g: &ReggeFunction<'_, f64, N>)
+fn by_scalar<T: Real, const N: usize>(c: &mut Criterion, name: &str, g: &ReggeFunction<f64, N>)
 where
     f64: Lift<T>,
 {
@@ -25,7 +26,7 @@ where
     let mut group = c.benchmark_group(format!("curvature N={N} r={degree}"));
     group
         .sample_size(20)
-        .throughput(Throughput::Elements(mesh.cells() as u64));
+        .throughput(Throughput::Elements(mesh.cell_count() as u64));
     group.bench_function(BenchmarkId::from_parameter(name), |b| {
         b.iter(|| distributional_curvature::<T, _, _>(black_box(g), &hats, &rules));
     });

@@ -2,8 +2,8 @@
 //! preconditioner by levels, beside a dense product as the measure of the machine.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use regge::mesh::{Mesh, SplitMix64};
-use regge::norm::{BiharmonicSolver, Direct, HMinus2, Hhj, Iterative};
+use regge_curvature::mesh::{Mesh, SplitMix64};
+use regge_curvature::norm::{BiharmonicSolver, Direct, HMinus2, Hhj, Iterative};
 use std::hint::black_box;
 
 fn perturbed<const N: usize>(level: u32) -> Mesh<N> {
@@ -61,7 +61,7 @@ fn operator(c: &mut Criterion, degree: usize) {
         group.bench_function(BenchmarkId::new("operator", level), |b| {
             b.iter(|| solver.apply(&hhj, black_box(&x), &mut y, &mut room));
         });
-        group.throughput(Throughput::Elements(mesh.cells() as u64));
+        group.throughput(Throughput::Elements(mesh.cell_count() as u64));
         group.bench_function(BenchmarkId::new("preconditioner, by cells", level), |b| {
             b.iter(|| solver.precondition(&hhj, black_box(&x), &mut y));
         });

@@ -4,15 +4,16 @@
 //! differentiation, the right side by the paper's formulas. `cargo run --example derivative`
 
 use num_dual::Dual64;
-use regge::field::Combination;
-use regge::functional::{Rules, a_h, b_h, distributional_curvature};
-use regge::lagrange::Lagrange;
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::regge::{Interpolant, ReggeSpace};
-use regge::smooth::Smooth;
+use regge_curvature::field::Combination;
+use regge_curvature::functional::{Rules, a_h, b_h, distributional_curvature};
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::ReggeSpace;
 
-fn main() -> Result<(), regge::Error> {
+fn main() -> Result<(), regge_curvature::Error> {
     let mesh = Mesh::<3>::cube(2)?.perturbed(0.1, 1)?;
     let space = ReggeSpace::new(&mesh, 1);
     let interpolate =

@@ -2,17 +2,18 @@
 //!
 //! A piece of the unit sphere in the stereographic chart, R = 2. `cargo run --example gauss_bonnet`
 
-use regge::functional::{Rules, boundary_curvature, distributional_curvature};
-use regge::lagrange::Lagrange;
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::project::{Projection, Tested};
-use regge::regge::{Interpolant, ReggeSpace};
-use regge::scalar::Lanes;
-use regge::smooth::Smooth;
+use regge_curvature::functional::{Rules, boundary_curvature, distributional_curvature};
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::project::{Projection, Tested};
+use regge_curvature::scalar::Lanes;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::ReggeSpace;
 use std::f64::consts::PI;
 
-fn main() -> Result<(), regge::Error> {
+fn main() -> Result<(), regge_curvature::Error> {
     println!("side   inside      boundary    sum - 4 pi   largest |R_h - 2| in the inner half");
     for side in [4, 8, 16, 32] {
         let mesh = Mesh::<2>::cube(side)?;
@@ -24,7 +25,7 @@ fn main() -> Result<(), regge::Error> {
         let boundary = boundary_curvature::<Lanes, _, _>(&g, &test, &rules).total();
         let [a, b]: [f64; 2] = [&inside, &boundary].map(|list| list.iter().sum());
         // With v = 0 on the boundary, as in the paper: there R_h is 0, and a few cells away it is the curvature.
-        let projection = Projection::new(&g, &test, Tested::Interior, &rules.element)?;
+        let projection = Projection::new(&g, &test, Tested::Interior, &rules.cells)?;
         let r_h = projection.apply(&inside);
         let near = |v: &usize| mesh.points().is_some_and(|p| p[*v].amax() < 0.5);
         let vertices = (0..mesh.count(0)).filter(near);

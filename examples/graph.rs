@@ -3,13 +3,14 @@
 //! The surface z = sin x cos y; its scalar curvature comes out of the same kernel from exact derivatives. Interpolants
 //! of degree r converge in H⁻² with order r + 1 (at least for r ≥ 1; Paper: cor:conv). `cargo run --example graph`
 
-use regge::functional::{Rules, distributional_curvature, smooth_curvature};
-use regge::linalg::{Mat, symmetric};
-use regge::mesh::Mesh;
-use regge::norm::HMinus2;
-use regge::regge::{Interpolant, ReggeSpace};
-use regge::scalar::{Lanes, Real};
-use regge::smooth::{Smooth, SmoothTensor};
+use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::linalg::{Mat, symmetric};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::{Smooth, SmoothTensor};
+use regge_curvature::norm::HMinus2;
+use regge_curvature::scalar::{Lanes, Real};
+use regge_curvature::spaces::ReggeSpace;
 
 /// I + ∇f ⊗ ∇f for f = sin x cos y.
 struct Waves;
@@ -21,7 +22,7 @@ impl SmoothTensor<2> for Waves {
     }
 }
 
-fn main() -> Result<(), regge::Error> {
+fn main() -> Result<(), regge_curvature::Error> {
     println!("r  side      error   order");
     for degree in [0, 1, 2] {
         let mut before: Option<f64> = None;
@@ -36,7 +37,7 @@ fn main() -> Result<(), regge::Error> {
 }
 
 /// ‖(Rω)_dist(g_h) − (Rω)(g)‖ in H⁻² on a square of side² · 2 triangles, a little shaken.
-fn error(degree: usize, side: usize) -> Result<f64, regge::Error> {
+fn error(degree: usize, side: usize) -> Result<f64, regge_curvature::Error> {
     let mesh = Mesh::<2>::cube(side)?.perturbed(0.2 / side as f64, 1)?;
     let space = ReggeSpace::new(&mesh, degree);
     let g = Smooth::new(&mesh, Waves)?;
@@ -45,7 +46,7 @@ fn error(degree: usize, side: usize) -> Result<f64, regge::Error> {
     let norm = HMinus2::new(&mesh, degree + 2)?;
     let rules = Rules::new::<2>(order);
     let ours = distributional_curvature::<Lanes, _, _>(&g_h, norm.space(), &rules).total();
-    let theirs = smooth_curvature::<Lanes, 2, _>(&g, norm.space(), &rules.element);
+    let theirs = smooth_curvature::<Lanes, 2, _>(&g, norm.space(), &rules.cells);
     let load: Vec<f64> = ours.iter().zip(&theirs).map(|(a, b)| a - b).collect();
     Ok(norm.norm(&load, None)?.total())
 }

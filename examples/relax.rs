@@ -8,31 +8,32 @@
 //! direction of its own. `cargo run --example relax`
 
 use nalgebra::{DMatrix, DVector};
-use regge::functional::{Rules, action_gradient, angle_defects, regge_action};
-use regge::lagrange::Lagrange;
-use regge::mesh::{Mesh, SplitMix64};
-use regge::metrics::Metric;
-use regge::regge::{Interpolant, ReggeFunction, ReggeSpace, check_positive};
-use regge::smooth::Smooth;
+use regge_curvature::functional::{Rules, action_gradient, angle_defects, regge_action};
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::mesh::{Mesh, SplitMix64};
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{ReggeFunction, ReggeSpace, check_positive};
 
 const N: usize = 3;
 
 /// The action on a mesh as a function of the lengths of its inner edges.
 struct Lattice<'s> {
-    space: &'s ReggeSpace<'s, N>,
+    space: &ReggeSpace<N>,
     inner: Vec<usize>,
     boundary: Vec<f64>,
 }
 
-impl<'s> Lattice<'s> {
+impl Lattice<'s> {
     /// The metric with these inner lengths; None if some cell is none.
-    fn metric(&self, lengths: &DVector<f64>) -> Option<ReggeFunction<'s, f64, N>> {
+    fn metric(&self, lengths: &DVector<f64>) -> Option<ReggeFunction<f64, N>> {
         let mut squares = self.boundary.clone();
         for (&edge, length) in self.inner.iter().zip(lengths.iter()) {
             squares[edge] = length * length;
         }
         let g = self.space.function(squares).ok()?;
-        let centre = regge::simplex::Points::new(N + 1, vec![0.25; N + 1]);
+        let centre = regge_curvature::simplex::Points::new(N + 1, vec![0.25; N + 1]);
         let positive = lengths.iter().all(|l| *l > 0.0);
         (positive && check_positive(&g, self.space.mesh(), &centre).is_ok()).then_some(g)
     }
@@ -48,7 +49,7 @@ impl<'s> Lattice<'s> {
 
     /// The Jacobian of the gradient. Paper: the hinge term of a_h; here ∂Θ_S/∂ℓ from the library's second derivatives.
     fn jacobian(&self, lengths: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let hessian = regge::functional::action_hessian(&self.metric(lengths)?).ok()?;
+        let hessian = regge_curvature::functional::action_hessian(&self.metric(lengths)?).ok()?;
         let size = self.inner.len();
         let mut number = vec![usize::MAX; self.boundary.len()];
         for (i, &edge) in self.inner.iter().enumerate() {
@@ -65,17 +66,17 @@ impl<'s> Lattice<'s> {
 }
 
 /// A cube with inner vertices moved at random and a boundary that is strictly convex.
-fn bulging_cube(side: usize) -> Result<Mesh<N>, regge::Error> {
+fn bulging_cube(side: usize) -> Result<Mesh<N>, regge_curvature::Error> {
     let mesh = Mesh::<N>::cube(side)?.perturbed(0.1, 4)?;
     let points = mesh.points().unwrap_or_default().iter();
     let bulged = points.map(|x| x * (1.0 - 0.1 * x.norm_squared())).collect();
-    let cells: Vec<Vec<usize>> = (0..mesh.cells())
+    let cells: Vec<Vec<usize>> = (0..mesh.cell_count())
         .map(|cell| mesh.vertices(N, cell).iter().map(|&v| v as usize).collect())
         .collect();
     Mesh::new(bulged, &cells)
 }
 
-fn main() -> Result<(), regge::Error> {
+fn main() -> Result<(), regge_curvature::Error> {
     let mesh = bulging_cube(3)?;
     let space = ReggeSpace::new(&mesh, 0);
     let flat =
@@ -95,7 +96,7 @@ fn main() -> Result<(), regge::Error> {
         mesh.interior(0).count()
     );
     println!("step   |gradient|   largest defect       action");
-    let stuck = || regge::Error::Solver("no step makes the gradient smaller".into());
+    let stuck = || regge_curvature::Error::Solver("no step makes the gradient smaller".into());
     let mut damping = 1e-3;
     for step in 0..60 {
         let (Some(g), Some(r)) = (lattice.metric(&lengths), lattice.gradient(&lengths)) else {

@@ -3,16 +3,16 @@
 //! The octahedron's edges are halved again and again, the vertices pushed onto the unit sphere; only the lengths are
 //! kept. Gauss and Bonnet: the total curvature is 8π on every mesh. `cargo run --example sphere`
 
-use regge::functional::{Rules, angle_defects, distributional_curvature};
-use regge::lagrange::Lagrange;
-use regge::mesh::Mesh;
-use regge::regge::ReggeSpace;
+use regge_curvature::functional::{Rules, angle_defects, distributional_curvature};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::ReggeSpace;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
 type Point = [f64; 3];
 
-fn main() -> Result<(), regge::Error> {
+fn main() -> Result<(), regge_curvature::Error> {
     let mut points: Vec<Point> = Vec::new();
     for axis in 0..3 {
         points

@@ -17,9 +17,9 @@
 //!
 //! ```
 //! use nalgebra::vector;
-//! use regge::mesh::Mesh;
+//! use regge_curvature::mesh::Mesh;
 //!
-//! # fn main() -> Result<(), regge::Error> {
+//! # fn main() -> Result<(), regge_curvature::Error> {
 //! let points = vec![
 //!     vector![0.0, 0.0],
 //!     vector![1.0, 0.0],
@@ -29,12 +29,12 @@
 //! ];
 //! let cells = [vec![0, 1, 4], vec![1, 2, 4], vec![2, 3, 4], vec![3, 0, 4]];
 //! let square = Mesh::<2>::new(points, &cells)?;
-//! assert_eq!((square.count(0), square.count(1), square.cells()), (5, 8, 4));
+//! assert_eq!((square.count(0), square.count(1), square.cell_count()), (5, 8, 4));
 //! assert_eq!(square.interior(0).collect::<Vec<_>>(), [4]);
 //! // The same without points, and the meshes of the paper: Freudenthal's cube of (−1, 1)^N, shaken.
 //! assert_eq!(Mesh::<2>::new_abstract(5, &cells)?.euler_characteristic(), 1);
 //! let cube = Mesh::<3>::cube(2)?.perturbed(0.05, 1)?;
-//! assert_eq!(cube.cells(), 48);
+//! assert_eq!(cube.cell_count(), 48);
 //! # Ok(())
 //! # }
 //! ```
@@ -43,13 +43,13 @@
 //! vertex leave an angle of 2π − 4π/3; the curvature of its hat function is twice that.
 //!
 //! ```
-//! use regge::functional::{Rules, distributional_curvature};
-//! use regge::lagrange::Lagrange;
-//! use regge::mesh::Mesh;
-//! use regge::regge::ReggeSpace;
+//! use regge_curvature::functional::{Rules, distributional_curvature};
+//! use regge_curvature::spaces::Lagrange;
+//! use regge_curvature::mesh::Mesh;
+//! use regge_curvature::spaces::ReggeSpace;
 //! use std::f64::consts::PI;
 //!
-//! # fn main() -> Result<(), regge::Error> {
+//! # fn main() -> Result<(), regge_curvature::Error> {
 //! let cells = [vec![0, 1, 4], vec![1, 2, 4], vec![2, 3, 4], vec![3, 0, 4]];
 //! let square = Mesh::<2>::new_abstract(5, &cells)?;
 //! let space = ReggeSpace::new(&square, 0);
@@ -57,7 +57,7 @@
 //! let pyramid = space.function(vec![1.0; square.count(1)])?;
 //! let hats = Lagrange::new(&square, 1);
 //! let sums = distributional_curvature::<f64, _, _>(&pyramid, &hats, &Rules::new::<2>(1));
-//! assert!((sums.hinge[4] - 2.0 * (2.0 * PI - 4.0 * PI / 3.0)).abs() < 1e-14);
+//! assert!((sums.hinges[4] - 2.0 * (2.0 * PI - 4.0 * PI / 3.0)).abs() < 1e-14);
 //! # Ok(())
 //! # }
 //! ```
@@ -67,13 +67,14 @@
 //! r keeps lengths (r = 0), or moments of lengths on edges, faces and cells.
 //!
 //! ```
-//! use regge::functional::{Rules, distributional_curvature, smooth_curvature};
-//! use regge::lagrange::Lagrange;
-//! use regge::linalg::{Mat, symmetric};
-//! use regge::mesh::Mesh;
-//! use regge::regge::{Interpolant, ReggeSpace};
-//! use regge::scalar::Real;
-//! use regge::smooth::{Smooth, SmoothTensor};
+//! use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
+//! use regge_curvature::spaces::Lagrange;
+//! use regge_curvature::linalg::{Mat, symmetric};
+//! use regge_curvature::mesh::Mesh;
+//! use regge_curvature::interpolate::Interpolant;
+//! use regge_curvature::spaces::ReggeSpace;
+//! use regge_curvature::scalar::Real;
+//! use regge_curvature::metrics::{Smooth, SmoothTensor};
 //!
 //! struct Sphere;
 //! impl SmoothTensor<2> for Sphere {
@@ -84,7 +85,7 @@
 //!     }
 //! }
 //!
-//! # fn main() -> Result<(), regge::Error> {
+//! # fn main() -> Result<(), regge_curvature::Error> {
 //! let mesh = Mesh::<2>::cube(8)?;
 //! let sphere = Smooth::new(&mesh, Sphere)?;
 //! let space = ReggeSpace::new(&mesh, 2);
@@ -92,10 +93,10 @@
 //! // Paired with every hat function: cells, faces and hinges apart.
 //! let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new::<2>(10));
 //! let ours = distributional_curvature::<f64, _, _>(&g, &hats, &rules);
-//! let smooth = smooth_curvature::<f64, 2, _>(&sphere, &hats, &rules.element);
+//! let smooth = smooth_curvature::<f64, 2, _>(&sphere, &hats, &rules.cells);
 //! let middle = 40; // of 9 × 9 vertices
 //! assert!((ours.total()[middle] / smooth[middle] - 1.0).abs() < 1e-3);
-//! assert!(ours.face[middle].abs() > 1e-6, "the jumps are a part of it");
+//! assert!(ours.faces[middle].abs() > 1e-6, "the jumps are a part of it");
 //! # Ok(())
 //! # }
 //! ```
@@ -105,15 +106,16 @@
 //!
 //! ```
 //! use num_dual::Dual64;
-//! use regge::field::Combination;
-//! use regge::functional::{Rules, distributional_curvature};
-//! use regge::lagrange::Lagrange;
-//! use regge::mesh::Mesh;
-//! use regge::metrics::Metric;
-//! use regge::regge::{Interpolant, ReggeSpace};
-//! use regge::smooth::Smooth;
+//! use regge_curvature::field::Combination;
+//! use regge_curvature::functional::{Rules, distributional_curvature};
+//! use regge_curvature::spaces::Lagrange;
+//! use regge_curvature::mesh::Mesh;
+//! use regge_curvature::metrics::Metric;
+//! use regge_curvature::interpolate::Interpolant;
+//! use regge_curvature::spaces::ReggeSpace;
+//! use regge_curvature::metrics::Smooth;
 //!
-//! # fn main() -> Result<(), regge::Error> {
+//! # fn main() -> Result<(), regge_curvature::Error> {
 //! let mesh = Mesh::<3>::cube(2)?;
 //! let space = ReggeSpace::new(&mesh, 1);
 //! let graph = Smooth::new(&mesh, Metric::GraphQuartic)?;
@@ -158,8 +160,8 @@ pub mod formulas;
 pub mod functional;
 pub mod hinge;
 pub mod hypersurface;
+pub mod interpolate;
 pub mod jet;
-pub mod lagrange;
 pub mod linalg;
 pub mod mesh;
 pub mod metrics;
@@ -169,11 +171,10 @@ mod parallel;
 #[cfg(feature = "norms")]
 pub mod project;
 pub mod quadrature;
-pub mod regge;
 pub mod riemann;
 pub mod scalar;
 pub mod simplex;
-pub mod smooth;
+pub mod spaces;
 
 pub use error::Error;
 

@@ -6,11 +6,11 @@
 
 use crate::Error;
 use crate::field::TensorField;
-use crate::lagrange::Lagrange;
 use crate::linalg::inverse_and_det;
 use crate::norm::factor::Factor;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
+use crate::spaces::Lagrange;
 use faer::sparse::linalg::cholesky::SymmetricOrdering;
 
 /// The test functions of a projection.
@@ -39,7 +39,7 @@ impl Projection {
     /// If memory does not suffice, or g is not positive definite at the points of the rule.
     pub fn new<const N: usize, G: TensorField<f64, N>>(
         g: &G,
-        space: &Lagrange<'_, N>,
+        space: &Lagrange<N>,
         tested: Tested,
         rule: &Rule,
     ) -> Result<Self, Error> {
@@ -87,7 +87,7 @@ const NONE: u32 = u32::MAX;
 impl Mass {
     fn new<const N: usize, G: TensorField<f64, N>>(
         g: &G,
-        space: &Lagrange<'_, N>,
+        space: &Lagrange<N>,
         unknowns: &[usize],
         rule: &Rule,
     ) -> Self {
@@ -116,7 +116,7 @@ impl Mass {
             matrix
         };
         let mut dofs = Vec::with_capacity(size);
-        in_order(space.mesh().cells(), on_cell, |cell, matrix| {
+        in_order(space.mesh().cell_count(), on_cell, |cell, matrix| {
             dofs.clear();
             dofs.extend(space.cell_dofs(cell).map(|dof| number[dof]));
             mass.add(&dofs, &matrix);
@@ -125,9 +125,9 @@ impl Mass {
     }
 
     /// All pairs of unknowns that share a cell.
-    fn pattern<const N: usize>(space: &Lagrange<'_, N>, number: &[u32], len: usize) -> Self {
+    fn pattern<const N: usize>(space: &Lagrange<N>, number: &[u32], len: usize) -> Self {
         let mut pairs: Vec<(u32, u32)> = Vec::new();
-        for cell in 0..space.mesh().cells() {
+        for cell in 0..space.mesh().cell_count() {
             let dofs = || space.cell_dofs(cell).map(|dof| number[dof]);
             for column in dofs().filter(|&c| c != NONE) {
                 pairs.extend(dofs().filter(|&r| r <= column).map(|row| (column, row)));

@@ -2,18 +2,19 @@
 
 use crate::common::{bulging_cube, crooked_cube, dense, random_regge};
 use num_dual::Dual64;
-use regge::field::Combination;
-use regge::functional::{
+use regge_curvature::field::Combination;
+use regge_curvature::functional::{
     Rules, action_gradient, action_hessian, boundary_curvature, boundary_mean_curvatures,
     cell_curvatures, cell_volumes, distributional_curvature, einstein, einstein_against,
     face_jumps, regge_action,
 };
-use regge::lagrange::Lagrange;
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::regge::{BasisFunction, Interpolant, ReggeSpace};
-use regge::scalar::Lanes;
-use regge::smooth::Smooth;
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::scalar::Lanes;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{BasisFunction, ReggeSpace};
 use std::f64::consts::PI;
 
 /// Rounding: sums of some 10² terms of size 1.
@@ -80,25 +81,25 @@ fn the_integrals_simplex_by_simplex_add_up() {
     let rules = Rules::new::<3>(6);
     let sums = distributional_curvature::<Lanes, 3, _>(&g, &hats, &rules);
     let outer = boundary_curvature::<Lanes, 3, _>(&g, &hats, &rules);
-    let cells: f64 = cell_curvatures::<Lanes, 3, _>(&g, &mesh, &rules.element)
+    let cells: f64 = cell_curvatures::<Lanes, 3, _>(&g, &mesh, &rules.cells)
         .iter()
         .sum();
     let faces = |list: Vec<(usize, f64)>| 2.0 * list.iter().map(|f| f.1).sum::<f64>();
-    let jumps = faces(face_jumps::<Lanes, 3, _>(&g, &mesh, &rules.face));
+    let jumps = faces(face_jumps::<Lanes, 3, _>(&g, &mesh, &rules.faces));
     let bent = faces(boundary_mean_curvatures::<Lanes, 3, _>(
         &g,
         &mesh,
-        &rules.face,
+        &rules.faces,
     ));
-    assert!((cells - sums.element.iter().sum::<f64>()).abs() < ROUNDING);
-    assert!((jumps - sums.face.iter().sum::<f64>()).abs() < ROUNDING);
-    assert!((bent - outer.face.iter().sum::<f64>()).abs() < ROUNDING);
+    assert!((cells - sums.cells.iter().sum::<f64>()).abs() < ROUNDING);
+    assert!((jumps - sums.faces.iter().sum::<f64>()).abs() < ROUNDING);
+    assert!((bent - outer.faces.iter().sum::<f64>()).abs() < ROUNDING);
     assert!(jumps.abs() > 1e-3 && bent.abs() > 1e-3 && cells.abs() > 1e-3);
-    let volume: f64 = cell_volumes::<f64, 3, _>(&g, &mesh, &rules.element)
+    let volume: f64 = cell_volumes::<f64, 3, _>(&g, &mesh, &rules.cells)
         .iter()
         .sum();
     assert!(
-        (cell_volumes::<Lanes, 3, _>(&g, &mesh, &rules.element)
+        (cell_volumes::<Lanes, 3, _>(&g, &mesh, &rules.cells)
             .iter()
             .sum::<f64>()
             - volume)
@@ -118,7 +119,7 @@ fn against_all<const N: usize>(mesh: &Mesh<N>, degree: usize) {
     assert!(scale > 1e-4, "{scale}");
     for i in 0..space.len() {
         let one = einstein::<Lanes, N, _, _>(&g, &BasisFunction::new(&space, i), mesh, &rules);
-        for (a, b) in [all.element[i], all.face[i], all.hinge[i]].iter().zip(one) {
+        for (a, b) in [all.cells[i], all.faces[i], all.hinges[i]].iter().zip(one) {
             assert!((a - b).abs() < ROUNDING * scale.max(1.0), "{i}: {a} {b}");
         }
     }
@@ -247,11 +248,11 @@ fn higher_degrees_have_no_gradient_in_lengths() {
 #[cfg(feature = "norms")]
 mod projection {
     use super::*;
-    use regge::field::TensorField;
-    use regge::functional::integrate;
-    use regge::linalg::inverse_and_det;
-    use regge::project::{Projection, Tested};
-    use regge::quadrature::Rule;
+    use regge_curvature::field::TensorField;
+    use regge_curvature::functional::integrate;
+    use regge_curvature::linalg::inverse_and_det;
+    use regge_curvature::project::{Projection, Tested};
+    use regge_curvature::quadrature::Rule;
 
     /// A function of the space is its own projection: ∫ u v ω for all v gives u back.
     fn reproduces<const N: usize>(degree: usize, tested: Tested) {
@@ -267,7 +268,7 @@ mod projection {
         let u: Vec<f64> = (0..space.len()).map(value).collect();
         let basis = space.basis(N).tabulate::<f64>(rule.points());
         let table = TensorField::<f64, N>::tabulate(&g, rule.points());
-        let load = integrate::<f64, N>(&space, N, &rule, 0..mesh.cells(), |cell, _, q| {
+        let load = integrate::<f64, N>(&space, N, &rule, 0..mesh.cell_count(), |cell, _, q| {
             let local = TensorField::<f64, N>::on_cell(&g, cell);
             let (_, det) = inverse_and_det(&g.value(&local, &table, q));
             let mine = space.cell_dofs(cell).zip(&basis[q]);
@@ -298,7 +299,7 @@ mod projection {
             .unwrap();
         let rules = Rules::new::<2>(12);
         let load = distributional_curvature::<Lanes, 2, _>(&g, &space, &rules).total();
-        let projection = Projection::new(&g, &space, Tested::Interior, &rules.element).unwrap();
+        let projection = Projection::new(&g, &space, Tested::Interior, &rules.cells).unwrap();
         let r_h = projection.apply(&load);
         let middle = r_h[mesh.count(0) / 2];
         assert!((middle - 2.0).abs() < 0.05, "{middle}");

@@ -1,22 +1,22 @@
 //! The numbers of docs/conventions.md.
 
-use regge::formulas::Formulas;
-use regge::functional::{
+use regge_curvature::formulas::Formulas;
+use regge_curvature::functional::{
     Rules, b_h, b_h_with, boundary_curvature, cell_volumes, distributional_curvature,
     einstein_against,
 };
-use regge::hypersurface::{Normal, mean_curvature, second_form, trace_reversed};
-use regge::jet::{Jet1, Jet2};
-use regge::lagrange::Lagrange;
-use regge::linalg::{Mat, Vector, identity, symmetric};
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::quadrature::Rule;
-use regge::regge::{ReggeSpace, dofs_per_simplex};
-use regge::riemann::{Connection, reverse_trace, trace};
-use regge::scalar::Real;
-use regge::simplex::subsets;
-use regge::smooth::SmoothTensor;
+use regge_curvature::hypersurface::{Normal, mean_curvature, second_form, trace_reversed};
+use regge_curvature::jet::{Jet1, Jet2};
+use regge_curvature::linalg::{Mat, Vector, identity, symmetric};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::SmoothTensor;
+use regge_curvature::quadrature::Rule;
+use regge_curvature::riemann::{Connection, reverse_trace, trace};
+use regge_curvature::scalar::Real;
+use regge_curvature::simplex::subsets;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{ReggeSpace, dofs_per_simplex};
 use std::f64::consts::PI;
 
 /// A few units in the last place of numbers of size 10.
@@ -113,12 +113,12 @@ fn a_triangle_has_a_volume_and_a_total() {
     let g = space.function(vec![1.0; 3]).unwrap();
     let rules = Rules::new::<2>(1);
     close(
-        cell_volumes::<f64, 2, _>(&g, &mesh, &rules.element)[0],
+        cell_volumes::<f64, 2, _>(&g, &mesh, &rules.cells)[0],
         3f64.sqrt() / 4.0,
     );
     let outer = boundary_curvature::<f64, 2, _>(&g, &Lagrange::new(&mesh, 1), &rules);
     close(outer.total().iter().sum(), 4.0 * PI);
-    close(outer.hinge[0], 2.0 * (PI - PI / 3.0));
+    close(outer.hinges[0], 2.0 * (PI - PI / 3.0));
 }
 
 /// ∂Δ³ with all edges 1 has Θ = π at each vertex: 2π Σ c_i for v = Σ c_i v_i.
@@ -149,11 +149,11 @@ fn b_h_counts_the_faces_of_the_boundary() {
     let g = space.function(vec![1.0; 3]).unwrap();
     let (squares, rules) = (Lagrange::new(&mesh, 2), Rules::new::<2>(2));
     let b = b_h::<f64, 2, _, _>(&g, &g, &squares, &rules);
-    close(b.face[0], 2.0 / 3f64.sqrt());
-    close(b.element[0], -2.0 / 3f64.sqrt());
+    close(b.faces[0], 2.0 / 3f64.sqrt());
+    close(b.cells[0], -2.0 / 3f64.sqrt());
     let inner = b_h_with::<InteriorFaces, f64, 2, _, _>(&g, &g, &squares, &rules);
-    assert_eq!(inner.face, vec![0.0; squares.len()]);
-    assert_eq!(inner.element, b.element);
+    assert_eq!(inner.faces, vec![0.0; squares.len()]);
+    assert_eq!(inner.cells, b.cells);
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn meshes_and_spaces_are_numbered_as_stated() {
     let cube = Mesh::<3>::cube(1).unwrap();
     assert_eq!(
         (
-            cube.cells(),
+            cube.cell_count(),
             cube.interior(1).count(),
             cube.interior(0).count()
         ),
@@ -191,5 +191,5 @@ fn meshes_and_spaces_are_numbered_as_stated() {
     let space = ReggeSpace::new(&mesh, 0);
     let g = space.function(vec![9.0, 16.0, 25.0]).unwrap();
     let outer = boundary_curvature::<f64, 2, _>(&g, &Lagrange::new(&mesh, 1), &Rules::new::<2>(1));
-    close(outer.hinge[0], 2.0 * (PI - PI / 2.0));
+    close(outer.hinges[0], 2.0 * (PI - PI / 2.0));
 }

@@ -1,12 +1,13 @@
 //! Orders of convergence of the H⁻² error, for every interpolant, inside bands that a wrong order would miss.
 
-use regge::functional::{Rules, distributional_curvature, smooth_curvature};
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::norm::HMinus2;
-use regge::regge::{Interpolant, Projection, ReggeSpace, geodesic_interpolant};
-use regge::scalar::Lanes;
-use regge::smooth::Smooth;
+use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
+use regge_curvature::interpolate::{Interpolant, Projection, geodesic_interpolant};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::norm::HMinus2;
+use regge_curvature::scalar::Lanes;
+use regge_curvature::spaces::ReggeSpace;
 
 /// The ways to interpolate that the library has.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +40,7 @@ fn error<const N: usize>(way: Way, degree: usize, level: u32) -> (f64, f64) {
     let rules = Rules::new::<N>(Rules::default_order(degree));
     let g_h = g_h.expect("a metric");
     let mut load = distributional_curvature::<Lanes, _, _>(&g_h, hm2.space(), &rules).total();
-    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.element);
+    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.cells);
     for (l, s) in load.iter_mut().zip(smooth) {
         *l -= s;
     }

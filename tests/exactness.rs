@@ -3,21 +3,22 @@
 use crate::common::{crooked_cube, largest, random_regge};
 use nalgebra::SVector;
 use num_dual::Dual64;
-use regge::field::{Combination, TensorField};
-use regge::functional::{Rules, Sums, a_h, b_h, distributional_curvature};
-use regge::jet::Jet2;
-use regge::lagrange::Lagrange;
-use regge::linalg::{Mat, symmetric};
-use regge::mesh::{Mesh, SplitMix64};
-use regge::metrics::Metric;
-use regge::regge::{Canonical, ReggeSpace};
-use regge::scalar::Lanes;
-use regge::simplex::{Bernstein, Points};
-use regge::smooth::Smooth;
+use regge_curvature::field::{Combination, TensorField};
+use regge_curvature::functional::{Rules, Sums, a_h, b_h, distributional_curvature};
+use regge_curvature::interpolate::Canonical;
+use regge_curvature::jet::Jet2;
+use regge_curvature::linalg::{Mat, symmetric};
+use regge_curvature::mesh::{Mesh, SplitMix64};
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::scalar::Lanes;
+use regge_curvature::simplex::{Bernstein, Points};
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::ReggeSpace;
 
 fn curvature<const N: usize, G: TensorField<f64, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     order: usize,
 ) -> Sums<f64> {
     distributional_curvature::<f64, _, _>(g, space, &Rules::new::<N>(order))
@@ -60,12 +61,12 @@ fn smooth_has_no_jumps<const N: usize>(side: usize) {
     let g = Smooth::new(&mesh, Metric::Trig).expect("coordinates");
     let space = Lagrange::new(&mesh, 2);
     let sums = curvature(&g, &space, 4);
-    for (name, sum) in [("face", &sums.face), ("hinge", &sums.hinge)] {
+    for (name, sum) in [("face", &sums.faces), ("hinge", &sums.hinges)] {
         let inner = (0..space.len()).filter(|&d| space.vanishes_on_boundary(d));
         let worst = inner.fold(0.0, |m: f64, d| m.max(sum[d].abs()));
         assert!(worst < 1e-13, "N = {N}, {name}: {worst:e}");
     }
-    assert!(largest(&sums.element) > 1e-3, "the metric is curved");
+    assert!(largest(&sums.cells) > 1e-3, "the metric is curved");
 }
 
 #[test]
@@ -76,8 +77,8 @@ fn smooth_metrics_have_no_jumps() {
 }
 
 /// φ*δ for a continuous piecewise polynomial φ: g_mn = ∂_mφ·∂_nφ.
-struct PullBack<'m, const N: usize> {
-    space: Lagrange<'m, N>,
+struct PullBack<const N: usize> {
+    space: Lagrange<N>,
     /// φ's values as coefficients, by basis function.
     phi: Vec<SVector<f64, N>>,
 }
@@ -93,7 +94,7 @@ impl<const N: usize> PullBack<'_, N> {
             .map(|_| SVector::from_fn(|_, _| noise * random.symmetric()))
             .collect();
         let basis = space.basis(N);
-        for cell in 0..mesh.cells() {
+        for cell in 0..mesh.cell_count() {
             for (i, dof) in space.cell_dofs(cell).enumerate() {
                 // The control point of B_α is Σ α_v x_v / q.
                 let mut x = SVector::zeros();
@@ -202,7 +203,7 @@ fn relabels<const N: usize>(degree: usize) {
     for v in 0..count {
         points[new_of(v)] = mesh.points().expect("coordinates")[v];
     }
-    let cells: Vec<Vec<usize>> = (0..mesh.cells())
+    let cells: Vec<Vec<usize>> = (0..mesh.cell_count())
         .map(|c| {
             mesh.vertices(N, c)
                 .iter()
@@ -309,9 +310,9 @@ fn lanes_agree_with_f64() {
     let one = distributional_curvature::<f64, _, _>(&g, &test, &rules);
     let four = distributional_curvature::<Lanes, _, _>(&g, &test, &rules);
     for (a, b) in [
-        (&one.element, &four.element),
-        (&one.face, &four.face),
-        (&one.hinge, &four.hinge),
+        (&one.cells, &four.cells),
+        (&one.faces, &four.faces),
+        (&one.hinges, &four.hinges),
     ] {
         let scale = largest(a);
         assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13 * scale));

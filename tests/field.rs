@@ -1,9 +1,9 @@
 //! Fields made of fields, and what tells a metric from a tensor that is none.
 
-use regge::field::{Combination, TensorField};
-use regge::jet::Jet2;
-use regge::linalg::{Mat, indefinite_pivot, symmetric};
-use regge::simplex::Points;
+use regge_curvature::field::{Combination, TensorField};
+use regge_curvature::jet::Jet2;
+use regge_curvature::linalg::{Mat, indefinite_pivot, symmetric};
+use regge_curvature::simplex::Points;
 
 /// The same tensor everywhere, whose derivatives claim otherwise; says that it is constant or does not.
 struct Given {

@@ -1,10 +1,10 @@
 //! Lagrange spaces: numbering, traces, continuity.
 
 use crate::common::crooked_cube;
-use regge::lagrange::Lagrange;
-use regge::mesh::{Mesh, SplitMix64};
-use regge::quadrature::Rule;
-use regge::simplex::subsets;
+use regge_curvature::mesh::{Mesh, SplitMix64};
+use regge_curvature::quadrature::Rule;
+use regge_curvature::simplex::subsets;
+use regge_curvature::spaces::Lagrange;
 
 /// A function with random coefficients has one value at a point of a k-simplex, whatever cell or trace gives it.
 fn single_valued<const N: usize>(mesh: &Mesh<N>, degree: usize) {

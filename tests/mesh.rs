@@ -1,16 +1,16 @@
 //! Meshes: counts, what is interior, and one clear error for each kind of bad input.
 
 use nalgebra::SVector;
-use regge::Error;
-use regge::linalg::Vector;
-use regge::mesh::Mesh;
-use regge::simplex::{binomial, factorial};
+use regge_curvature::Error;
+use regge_curvature::linalg::Vector;
+use regge_curvature::mesh::Mesh;
+use regge_curvature::simplex::{binomial, factorial};
 
 /// Freudenthal's cube and torus, by the numbers: N! side^N cells, χ = 1 and 0.
 fn counts<const N: usize>(side: usize) {
     let cells = factorial(N) as usize * side.pow(N as u32);
     let cube = Mesh::<N>::cube(side).expect("a cube");
-    assert_eq!(cube.cells(), cells);
+    assert_eq!(cube.cell_count(), cells);
     assert_eq!(cube.count(0), (side + 1).pow(N as u32));
     assert_eq!(cube.euler_characteristic(), 1);
     assert_eq!(cube.interior(0).count(), (side - 1).pow(N as u32));
@@ -18,7 +18,10 @@ fn counts<const N: usize>(side: usize) {
     let torus = Mesh::<N>::torus(3).expect("a torus");
     assert!(torus.is_closed());
     assert_eq!(torus.euler_characteristic(), 0);
-    assert_eq!(torus.cells(), factorial(N) as usize * 3usize.pow(N as u32));
+    assert_eq!(
+        torus.cell_count(),
+        factorial(N) as usize * 3usize.pow(N as u32)
+    );
 }
 
 #[test]
@@ -34,11 +37,11 @@ fn cubes_and_tori_have_the_right_numbers() {
 fn the_papers_meshes() {
     for k in 0..4 {
         assert_eq!(
-            Mesh::<2>::cube(1 << k).expect("a square").cells(),
+            Mesh::<2>::cube(1 << k).expect("a square").cell_count(),
             2 * 4usize.pow(k)
         );
         assert_eq!(
-            Mesh::<3>::cube(1 << k).expect("a cube").cells(),
+            Mesh::<3>::cube(1 << k).expect("a cube").cell_count(),
             6 * 8usize.pow(k)
         );
     }

@@ -1,13 +1,13 @@
 //! Every case of tests/oracle (computed by an unrelated code, see its README): the three sums of def:distcurv.
 
-use crate::common::oracle::{Oracle, load_all};
-use regge::field::Combination;
-use regge::functional::{Rules, a_h, b_h, distributional_curvature, smooth_curvature};
-use regge::lagrange::Lagrange;
-use regge::metrics::Metric;
-use regge::quadrature::gauss_legendre;
-use regge::scalar::{Field, Lanes, Real};
-use regge::smooth::Smooth;
+use regge_curvature::field::Combination;
+use regge_curvature::functional::{Rules, a_h, b_h, distributional_curvature, smooth_curvature};
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::quadrature::gauss_legendre;
+use regge_curvature::scalar::{Field, Lanes, Real};
+use regge_curvature::spaces::Lagrange;
+use regge_oracle::{Oracle, all as load_all};
 
 /// NGSolve differentiates by differences, which its README puts at 1e-9 to 1e-7 of an entry; a third code agrees to
 /// 1e-9 of the largest entry.
@@ -21,7 +21,7 @@ fn compare<const N: usize>(oracle: &Oracle) {
     let sums = distributional_curvature::<f64, _, _>(&g, &hats, &Rules::new::<N>(20));
     let scale = oracle.curvature.largest();
     for (i, &vertex) in oracle.curvature.vertex.iter().enumerate() {
-        let ours = [sums.element[vertex], sums.face[vertex], sums.hinge[vertex]];
+        let ours = [sums.cells[vertex], sums.faces[vertex], sums.hinges[vertex]];
         let theirs = [
             oracle.curvature.element[i],
             oracle.curvature.face[i],
@@ -63,7 +63,7 @@ fn the_integral_formula_holds_on_an_oracle() {
     let test = Lagrange::new(&mesh, 4);
     let rules = Rules::new::<3>(24);
     let mut difference = distributional_curvature::<Lanes, _, _>(&g_h, &test, &rules).total();
-    let smooth = smooth_curvature::<Lanes, _, _>(&g, &test, &rules.element);
+    let smooth = smooth_curvature::<Lanes, _, _>(&g, &test, &rules.cells);
     let sigma = Combination::new(-Lanes::one(), &g, Lanes::one(), &g_h);
     let (nodes, weights) = gauss_legendre(6);
     for (t, w) in nodes.into_iter().zip(weights) {

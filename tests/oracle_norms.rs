@@ -1,21 +1,22 @@
 //! Every case of tests/oracle (computed by an unrelated code, see its README): the H⁻² norm of the error.
 
-use crate::common::oracle::{Oracle, load_all};
-use regge::functional::{Rules, distributional_curvature, smooth_curvature};
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::norm::HMinus2;
-use regge::quadrature::Rule;
-use regge::regge::{Interpolant, Projection, ReggeFunction};
-use regge::scalar::Lanes;
-use regge::smooth::Smooth;
+use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
+use regge_curvature::interpolate::{Interpolant, Projection};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::norm::HMinus2;
+use regge_curvature::quadrature::Rule;
+use regge_curvature::scalar::Lanes;
+use regge_curvature::spaces::ReggeFunction;
+use regge_oracle::{Oracle, all as load_all};
 
 /// The H⁻² error of (Rω)_dist(g_h) − (Rω)(g) on an oracle's mesh, loads by rules of order 20.
 ///
 /// The three L² norms are not converged in the oracle's N = 3 cases: it integrates them by a rule of order 5, while σ²
 /// has degree 2r + 2. With exact norms its r = 2 case is 0.0408482293, 2.4 % larger; with a rule of order 5 (another
 /// one than NGSolve's) it is found again to 1.1e-7.
-fn error<const N: usize>(oracle: &Oracle, mesh: &Mesh<N>, g_h: &ReggeFunction<'_, f64, N>) -> f64 {
+fn error<const N: usize>(oracle: &Oracle, mesh: &Mesh<N>, g_h: &ReggeFunction<f64, N>) -> f64 {
     let named = Metric::ALL
         .iter()
         .find(|m| m.0 == oracle.metric)
@@ -25,7 +26,7 @@ fn error<const N: usize>(oracle: &Oracle, mesh: &Mesh<N>, g_h: &ReggeFunction<'_
     let hm2 = HMinus2::new(mesh, oracle.degree + 2).expect("a norm");
     let rules = Rules::new::<N>(20);
     let mut load = distributional_curvature::<Lanes, _, _>(g_h, hm2.space(), &rules).total();
-    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.element);
+    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.cells);
     for (l, s) in load.iter_mut().zip(smooth) {
         *l -= s;
     }

@@ -2,11 +2,13 @@
 
 use crate::common::draw::{Outcome, Source, check, close, vanishes};
 use nalgebra::DMatrix;
-use regge::hinge::Hinge;
-use regge::hypersurface::{Normal, mean_curvature, omega_f, outward, second_form, surface_div};
-use regge::jet::{Jet1, lower, lower_vector};
-use regge::linalg::{Mat, Vector, apply, contract, form, symmetric};
-use regge::riemann::{Connection, Curvature};
+use regge_curvature::hinge::Hinge;
+use regge_curvature::hypersurface::{
+    Normal, mean_curvature, omega_f, outward, second_form, surface_div,
+};
+use regge_curvature::jet::{Jet1, lower, lower_vector};
+use regge_curvature::linalg::{Mat, Vector, apply, contract, form, symmetric};
+use regge_curvature::riemann::{Connection, Curvature};
 
 /// The same in dimensions 2, 3 and 4.
 macro_rules! in_every_dimension {
@@ -99,8 +101,8 @@ fn leibniz<const N: usize>(source: &mut Source<'_>) -> Outcome {
 fn divergences<const N: usize>(source: &mut Source<'_>) -> Outcome {
     let (g, f) = (source.metric::<N>(), source.jet::<N>());
     let connection = Connection::new(&g);
-    let root = regge::scalar::Algebraic::sqrt(connection.det);
-    let df = regge::riemann::differential(&f);
+    let root = regge_curvature::scalar::Algebraic::sqrt(connection.det);
+    let df = regge_curvature::riemann::differential(&f);
     let flux = apply(&connection.inverse, &df).map(|x| x * root);
     let expected = (0..N).map(|i| flux[i].d[i]).sum::<f64>() / root.value;
     close("Δf", connection.laplacian(&f), expected)?;

@@ -1,7 +1,7 @@
 //! Every rule against the moments that it must get right, and against one that it need not.
 
-use regge::quadrature::{Rule, gauss_legendre};
-use regge::simplex::{factorial, multi_indices};
+use regge_curvature::quadrature::{Rule, gauss_legendre};
+use regge_curvature::simplex::{factorial, multi_indices};
 
 /// ∫ λ^α dμ = α! / (|α| + dim)! on the reference simplex.
 fn moment(alpha: &[usize]) -> f64 {

@@ -1,19 +1,19 @@
 //! Regge spaces and interpolants.
 
-use crate::common::oracle::{Oracle, load_all};
 use crate::common::{crooked_cube, largest, random_regge};
 use nalgebra::SVector;
-use regge::field::TensorField;
-use regge::linalg::{Mat, Vector, form};
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::quadrature::Rule;
-use regge::regge::{
-    Canonical, Interpolant, Projection, ReggeSpace, dofs_per_simplex, geodesic_interpolant,
-    geodesic_length,
+use regge_curvature::field::TensorField;
+use regge_curvature::interpolate::{
+    Canonical, Interpolant, Projection, geodesic_interpolant, geodesic_length,
 };
-use regge::simplex::{binomial, subsets};
-use regge::smooth::Smooth;
+use regge_curvature::linalg::{Mat, Vector, form};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::Smooth;
+use regge_curvature::quadrature::Rule;
+use regge_curvature::simplex::{binomial, subsets};
+use regge_curvature::spaces::{ReggeSpace, dofs_per_simplex};
+use regge_oracle::{Oracle, all as load_all};
 
 /// I28: Σ_k C(N+1, k+1) dofs(k) = dim P_r · N(N+1)/2 on one simplex.
 #[test]

@@ -3,17 +3,17 @@
 //! N = 5 is the first dimension where N−2 and N/2 differ that is not the plane.
 
 use crate::common::dense;
-use regge::field::TensorField;
-use regge::functional::{
+use regge_curvature::field::TensorField;
+use regge_curvature::functional::{
     Rules, action_gradient, action_hessian, angle_defects, boundary_curvature,
     distributional_curvature, einstein, einstein_against, regge_action,
 };
-use regge::jet::Jet2;
-use regge::lagrange::Lagrange;
-use regge::linalg::{Mat, symmetric};
-use regge::mesh::Mesh;
-use regge::regge::{ReggeFunction, ReggeSpace};
-use regge::simplex::Points;
+use regge_curvature::jet::Jet2;
+use regge_curvature::linalg::{Mat, symmetric};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::simplex::Points;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 use std::f64::consts::{PI, TAU};
 
 /// Everything is constant: some roundings of numbers up to 10².
@@ -40,7 +40,7 @@ impl<const N: usize> Regular<N> {
 }
 
 /// The metric with all edges 1.
-fn unit<'s, const N: usize>(space: &'s ReggeSpace<'s, N>) -> ReggeFunction<'s, f64, N> {
+fn unit<const N: usize>(space: &ReggeSpace<N>) -> ReggeFunction<f64, N> {
     (space.function(vec![1.0; space.len()])).expect("as many as there are edges")
 }
 

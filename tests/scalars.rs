@@ -1,12 +1,12 @@
 //! One kernel, many scalars: each scalar gives what another route gives.
 
 use num_dual::{Dual, Dual2_64, Dual64, HyperDual64};
-use regge::jet::{Jet, Jet1, Jet2, lower};
-use regge::linalg::{Mat, inverse_and_det, symmetric};
-use regge::metrics::Metric;
-use regge::riemann::{Connection, Curvature};
-use regge::scalar::{Lanes, Real};
-use regge::smooth::SmoothTensor;
+use regge_curvature::jet::{Jet, Jet1, Jet2, lower};
+use regge_curvature::linalg::{Mat, inverse_and_det, symmetric};
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::SmoothTensor;
+use regge_curvature::riemann::{Connection, Curvature};
+use regge_curvature::scalar::{Lanes, Real};
 
 fn close(a: f64, b: f64, tolerance: f64) {
     assert!(

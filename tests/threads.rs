@@ -2,10 +2,10 @@
 #![cfg(feature = "parallel")]
 
 use crate::common::{crooked_cube, random_regge};
-use regge::functional::{Rules, Sums, a_h, b_h, distributional_curvature};
-use regge::lagrange::Lagrange;
-use regge::regge::ReggeSpace;
-use regge::scalar::Lanes;
+use regge_curvature::functional::{Rules, Sums, a_h, b_h, distributional_curvature};
+use regge_curvature::scalar::Lanes;
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::ReggeSpace;
 
 fn with_threads(threads: usize) -> [Sums<f64>; 3] {
     let pool = rayon::ThreadPoolBuilder::new()

@@ -8,18 +8,19 @@
 //! SCALAR is f64, lanes or dual.
 
 use num_dual::Dual64;
-use regge::field::TensorField;
-use regge::functional::{Rules, Sums, distributional_curvature};
-use regge::jet::lower;
-use regge::lagrange::Lagrange;
-use regge::linalg::{Mat, symmetric};
-use regge::mesh::Mesh;
-use regge::metrics::Metric;
-use regge::quadrature::Rule;
-use regge::regge::{Interpolant, ReggeSpace};
-use regge::riemann::{Connection, Curvature};
-use regge::scalar::{Lanes, Lift, Real};
-use regge::smooth::{Smooth, SmoothTensor};
+use regge_curvature::field::TensorField;
+use regge_curvature::functional::{Rules, Sums, distributional_curvature};
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::jet::lower;
+use regge_curvature::linalg::{Mat, symmetric};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::metrics::Metric;
+use regge_curvature::metrics::{Smooth, SmoothTensor};
+use regge_curvature::quadrature::Rule;
+use regge_curvature::riemann::{Connection, Curvature};
+use regge_curvature::scalar::{Lanes, Lift, Real};
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::ReggeSpace;
 use serde_json::{Value, json};
 use std::time::Instant;
 
@@ -38,7 +39,7 @@ fn write_mesh<const N: usize>(level: u32, seed: u64) -> Value {
     let points = mesh.points().expect("coordinates").iter();
     json!({
         "points": points.map(|x| x.as_slice().to_vec()).collect::<Vec<_>>(),
-        "cells": (0..mesh.cells()).map(|c| mesh.vertices(N, c).to_vec()).collect::<Vec<_>>(),
+        "cells": (0..mesh.cell_count()).map(|c| mesh.vertices(N, c).to_vec()).collect::<Vec<_>>(),
     })
 }
 
@@ -78,12 +79,12 @@ where
         .collect();
     let at_inner = |sum: &[T::Sum]| inner.iter().map(|&v| real(&sum[v])).collect::<Vec<_>>();
     json!({
-        "cells": mesh.cells(),
+        "cells": mesh.cell_count(),
         "seconds": best,
-        "microseconds_per_cell": best * 1e6 / mesh.cells() as f64,
-        "element": at_inner(&sums.element),
-        "face": at_inner(&sums.face),
-        "hinge": at_inner(&sums.hinge),
+        "microseconds_per_cell": best * 1e6 / mesh.cell_count() as f64,
+        "element": at_inner(&sums.cells),
+        "face": at_inner(&sums.faces),
+        "hinge": at_inner(&sums.hinges),
     })
 }
 
@@ -110,12 +111,12 @@ fn accuracy(level: u32) -> Value {
         .expect("a metric");
     let table = TensorField::<f64, 3>::tabulate(&g_h, Rule::new(3, 1).points());
     let mut worst: f64 = 0.0;
-    for cell in 0..mesh.cells() {
+    for cell in 0..mesh.cell_count() {
         let local = TensorField::<f64, 3>::on_cell(&g_h, cell);
         let jets = g_h.jet2(&local, &table, 0);
         let r = Curvature::new(&jets, &Connection::new(&lower(&jets))).scalar();
         let corners = (0..4).filter_map(|i| mesh.corner(cell, i));
-        let x = corners.sum::<regge::linalg::Vector<f64, 3>>() / 4.0;
+        let x = corners.sum::<regge_curvature::linalg::Vector<f64, 3>>() / 4.0;
         let w = 1.0 + x.norm_squared();
         let exact = (6.0 * w - 4.0 * x.norm_squared()) / (w * w);
         worst = worst.max((r - exact).abs());

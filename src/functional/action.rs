@@ -6,13 +6,13 @@ use super::curvature::distributional_curvature;
 use super::local::Wedges;
 use crate::Error;
 use crate::field::{Combination, TensorField};
-use crate::lagrange::Lagrange;
 use crate::mesh::Mesh;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
-use crate::regge::{BasisFunction, ReggeFunction};
 use crate::scalar::{Field, Real};
 use crate::simplex::subsets;
+use crate::spaces::Lagrange;
+use crate::spaces::{BasisFunction, ReggeFunction};
 use num_dual::{Dual64, HyperDual64};
 use std::f64::consts::{PI, TAU};
 
@@ -54,9 +54,7 @@ pub struct ActionGradient {
 ///
 /// # Errors
 /// If the degree of g is not 0.
-pub fn action_gradient<const N: usize>(
-    g: &ReggeFunction<'_, f64, N>,
-) -> Result<ActionGradient, Error> {
+pub fn action_gradient<const N: usize>(g: &ReggeFunction<f64, N>) -> Result<ActionGradient, Error> {
     check_degree(g)?;
     let mesh = g.space().mesh();
     let defects = signed_defects(g);
@@ -67,7 +65,7 @@ pub fn action_gradient<const N: usize>(
     let moving = Moving::new(g);
     let wedges = Wedges::<Dual64, N, _>::new(&moving.field, &moving.rule);
     let on_cell = |cell: usize| moving.derivatives(&wedges, cell);
-    in_order(mesh.cells(), on_cell, |cell, derivatives| {
+    in_order(mesh.cell_count(), on_cell, |cell, derivatives| {
         for (e, &edge) in mesh.simplices_of(cell, 1).iter().enumerate() {
             for (place, &hinge) in mesh.simplices_of(cell, N - 2).iter().enumerate() {
                 // Each hinge counts once: in its first cell.
@@ -89,7 +87,7 @@ pub fn action_gradient<const N: usize>(
 /// # Errors
 /// If the degree of g is not 0.
 pub fn action_hessian<const N: usize>(
-    g: &ReggeFunction<'_, f64, N>,
+    g: &ReggeFunction<f64, N>,
 ) -> Result<Vec<(usize, usize, f64)>, Error> {
     check_degree(g)?;
     let mesh = g.space().mesh();
@@ -108,11 +106,11 @@ pub fn action_hessian<const N: usize>(
         let derivatives = moving.derivatives(&first, cell);
         moving.cell_hessian(&second, cell, &derivatives, &turned)
     };
-    in_order(mesh.cells(), on_cell, |_, local| entries.extend(local));
+    in_order(mesh.cell_count(), on_cell, |_, local| entries.extend(local));
     Ok(entries)
 }
 
-fn check_degree<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Result<(), Error> {
+fn check_degree<const N: usize>(g: &ReggeFunction<f64, N>) -> Result<(), Error> {
     match g.space().degree() {
         0 => Ok(()),
         r => Err(Error::Input(format!(
@@ -122,7 +120,7 @@ fn check_degree<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Result<(), Err
 }
 
 /// Θ_S, or π − Σ_T θ_ST on the boundary, of every hinge of a piecewise flat metric.
-fn signed_defects<const N: usize>(g: &ReggeFunction<'_, f64, N>) -> Vec<f64> {
+fn signed_defects<const N: usize>(g: &ReggeFunction<f64, N>) -> Vec<f64> {
     let mesh = g.space().mesh();
     let wedges = Wedges::<f64, N, _>::new(g, &Rule::new(N - 2, 0));
     let mut all = Vec::with_capacity(mesh.count(N - 2));
@@ -149,25 +147,24 @@ struct CellDerivatives {
 }
 
 /// g + ε ψ: a metric one of whose squared lengths moves.
-type Along<'a, 's, const N: usize> =
-    Combination<&'a ReggeFunction<'s, f64, N>, BasisFunction<'s, N>, Dual64>;
+type Along<'a, const N: usize> = Combination<&'a ReggeFunction<f64, N>, BasisFunction<N>, Dual64>;
 
-fn along<'a, 's, const N: usize>(g: &'a ReggeFunction<'s, f64, N>, i: usize) -> Along<'a, 's, N> {
+fn along<'a, const N: usize>(g: &'a ReggeFunction<f64, N>, i: usize) -> Along<'a, N> {
     let direction = BasisFunction::new(g.space(), i);
     Combination::new(Dual64::from(1.0), g, Dual64::new(0.0, 1.0), direction)
 }
 
 /// The corners of cells whose edges move, one at a time.
-struct Moving<'a, 's, const N: usize> {
-    g: &'a ReggeFunction<'s, f64, N>,
+struct Moving<'a, const N: usize> {
+    g: &'a ReggeFunction<f64, N>,
     /// Any direction will do: what moves is in the data of the cell.
-    field: Along<'a, 's, N>,
+    field: Along<'a, N>,
     rule: Rule,
     hinges: usize,
 }
 
-impl<'a, 's, const N: usize> Moving<'a, 's, N> {
-    fn new(g: &'a ReggeFunction<'s, f64, N>) -> Self {
+impl<'a, const N: usize> Moving<'a, N> {
+    fn new(g: &'a ReggeFunction<f64, N>) -> Self {
         Self {
             g,
             field: along(g, 0),
@@ -178,7 +175,7 @@ impl<'a, 's, const N: usize> Moving<'a, 's, N> {
 
     fn derivatives(
         &self,
-        wedges: &Wedges<'_, Dual64, N, Along<'a, 's, N>>,
+        wedges: &Wedges<'_, Dual64, N, Along<'a, N>>,
         cell: usize,
     ) -> CellDerivatives {
         let mut all = CellDerivatives {
@@ -209,7 +206,7 @@ impl<'a, 's, const N: usize> Moving<'a, 's, N> {
     /// The Hessian of a cell: −Σ_S ∂θ_ST/∂ℓ_j ∂|S|/∂ℓ_i, and Θ_S ∂²|S|/∂ℓ_i∂ℓ_j of the hinges that count here.
     fn cell_hessian(
         &self,
-        wedges: &Wedges<'_, HyperDual64, N, AlongTwo<'a, 's, N>>,
+        wedges: &Wedges<'_, HyperDual64, N, AlongTwo<'a, N>>,
         cell: usize,
         derivatives: &CellDerivatives,
         defects: &[f64],
@@ -243,16 +240,16 @@ impl<'a, 's, const N: usize> Moving<'a, 's, N> {
 }
 
 /// g + ε₁ ψ_i + ε₂ ψ_j: a metric two of whose squared lengths move.
-type AlongTwo<'a, 's, const N: usize> = Combination<
-    Combination<&'a ReggeFunction<'s, f64, N>, BasisFunction<'s, N>, HyperDual64>,
-    BasisFunction<'s, N>,
+type AlongTwo<'a, const N: usize> = Combination<
+    Combination<&'a ReggeFunction<f64, N>, BasisFunction<N>, HyperDual64>,
+    BasisFunction<N>,
     HyperDual64,
 >;
 
-fn along_two<'a, 's, const N: usize>(
-    g: &'a ReggeFunction<'s, f64, N>,
+fn along_two<'a, const N: usize>(
+    g: &'a ReggeFunction<f64, N>,
     [i, j]: [usize; 2],
-) -> AlongTwo<'a, 's, N> {
+) -> AlongTwo<'a, N> {
     let (one, space) = (HyperDual64::from(1.0), g.space());
     let first = HyperDual64::new(0.0, 1.0, 0.0, 0.0);
     let second = HyperDual64::new(0.0, 0.0, 1.0, 0.0);

@@ -4,9 +4,9 @@ use super::local::{Sides, Wedges};
 use super::site::{Sites, sum_over};
 use super::{Rules, Sums};
 use crate::field::TensorField;
-use crate::lagrange::Lagrange;
 use crate::mesh::Mesh;
 use crate::scalar::Real;
+use crate::spaces::Lagrange;
 
 /// 2 Σ_{F⊂∂Ω} ∫ H v ω_F + 2 Σ_{S⊂∂Ω} ∫ (π − Σ_T θ_ST) v ω_S for every basis function v; the sum over cells is empty.
 ///
@@ -15,14 +15,14 @@ use crate::scalar::Real;
 /// N ≥ 3 they are twice the terms of Gibbons, Hawking and York with the corners of Hartle and Sorkin.
 pub fn boundary_curvature<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let mut sums = Sums::zero(space.len());
     if !g.is_constant() {
-        sums.face = mean_curvature_sum::<T, N, G>(g, space, rules);
+        sums.faces = mean_curvature_sum::<T, N, G>(g, space, rules);
     }
-    sums.hinge = corner_sum::<T, N, G>(g, space, rules);
+    sums.hinges = corner_sum::<T, N, G>(g, space, rules);
     sums
 }
 
@@ -32,12 +32,12 @@ fn outer<const N: usize>(mesh: &Mesh<N>, k: usize) -> impl Iterator<Item = usize
 
 fn mean_curvature_sum<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Vec<T::Sum> {
     let mesh = space.mesh();
-    let sites = Sites::<T>::new(N - 1, &rules.face, space);
-    let sides = Sides::<T, N, G>::new(g, &rules.face);
+    let sites = Sites::<T>::new(N - 1, &rules.faces, space);
+    let sides = Sides::<T, N, G>::new(g, &rules.faces);
     sum_over(space, &sites, outer(mesh, N - 1), |face, acc| {
         let side = mesh.first_side(N - 1, face);
         let local = g.on_cell(side.cell);
@@ -50,12 +50,12 @@ fn mean_curvature_sum<T: Real, const N: usize, G: TensorField<T, N>>(
 
 fn corner_sum<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Vec<T::Sum> {
     let mesh = space.mesh();
-    let sites = Sites::<T>::new(N - 2, &rules.hinge, space);
-    let wedges = Wedges::<T, N, G>::new(g, &rules.hinge);
+    let sites = Sites::<T>::new(N - 2, &rules.hinges, space);
+    let wedges = Wedges::<T, N, G>::new(g, &rules.hinges);
     let pi = T::from_f64(std::f64::consts::PI);
     sum_over(space, &sites, outer(mesh, N - 2), |hinge, acc| {
         let around = wedges.around(mesh, hinge);

@@ -92,7 +92,7 @@ impl<T: Real> Defects<T> {
         let corners = Corners::new(g, mesh, sites);
         let mut defects = corners.before();
         rows_in_order(
-            mesh.cells(),
+            mesh.cell_count(),
             corners.width(),
             T::zero(),
             |cell, row| corners.fill::<K>(cell, &g.on_cell(cell), row),

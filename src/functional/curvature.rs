@@ -7,13 +7,13 @@ use crate::field::TensorField;
 use crate::formulas::{Formulas, Paper};
 use crate::hypersurface::{self, Normal};
 use crate::jet::{Jet1, lower, lower_vector};
-use crate::lagrange::Lagrange;
 use crate::linalg::Vector;
 use crate::mesh::{Mesh, Slot};
 use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
 use crate::riemann::{Connection, Curvature};
 use crate::scalar::Real;
+use crate::spaces::Lagrange;
 
 /// ⟨(Rω)_dist(g), v⟩ = Σ_T ∫ R v ω + 2 Σ̊_F ∫ ⟦H⟧ v ω_F + 2 Σ̊_S ∫ Θ_S v ω_S for every basis function v.
 ///
@@ -21,7 +21,7 @@ use crate::scalar::Real;
 /// Paper: def:distcurv.
 pub fn distributional_curvature<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     distributional_curvature_with::<Paper, T, N, G>(g, space, rules)
@@ -30,13 +30,13 @@ pub fn distributional_curvature<T: Real, const N: usize, G: TensorField<T, N>>(
 /// [`distributional_curvature`] by the formulas K.
 pub fn distributional_curvature_with<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let (mesh, len) = (space.mesh(), space.cell_len());
-    let element = CellTerm::new(g, space, &rules.element);
-    let face = FaceTerm::new(g, space, &rules.face);
-    let hinges = Sites::<T>::new(N - 2, &rules.hinge, space);
+    let element = CellTerm::new(g, space, &rules.cells);
+    let face = FaceTerm::new(g, space, &rules.faces);
+    let hinges = Sites::<T>::new(N - 2, &rules.hinges, space);
     let corners = Corners::new(g, mesh, &hinges);
     let (mut sums, mut defects) = (Sums::zero(space.len()), corners.before());
     let flat = g.is_constant();
@@ -51,27 +51,32 @@ pub fn distributional_curvature_with<K: Formulas, T: Real, const N: usize, G: Te
         corners.fill::<K>(cell, &local, angles);
     };
     let width = 2 * len + corners.width();
-    rows_in_order(mesh.cells(), width, T::zero(), on_cell, |cell, row| {
+    rows_in_order(mesh.cell_count(), width, T::zero(), on_cell, |cell, row| {
         for (i, dof) in space.cell_dofs(cell).enumerate() {
-            sums.element[dof] += row[i].reduce();
-            sums.face[dof] += row[len + i].reduce();
+            sums.cells[dof] += row[i].reduce();
+            sums.faces[dof] += row[len + i].reduce();
         }
         defects.subtract(mesh, cell, &row[2 * len..]);
     });
-    sums.hinge = hinge_sum::<K, T, N>(&defects, space, &hinges);
+    sums.hinges = hinge_sum::<K, T, N>(&defects, space, &hinges);
     sums
 }
 
 /// Σ_T ∫_T R v ω for every basis function v: all of ⟨(Rω)(g), v⟩ when g is smooth on the whole domain.
 pub fn smooth_curvature<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
     let term = CellTerm::new(g, space, rule);
-    sum_over(space, &term.sites, 0..space.mesh().cells(), |cell, acc| {
-        term.add(&g.on_cell(cell), acc);
-    })
+    sum_over(
+        space,
+        &term.sites,
+        0..space.mesh().cell_count(),
+        |cell, acc| {
+            term.add(&g.on_cell(cell), acc);
+        },
+    )
 }
 
 /// ∫_T R v ω.
@@ -82,7 +87,7 @@ struct CellTerm<'a, T: Real, const N: usize, G: TensorField<T, N>> {
 }
 
 impl<'a, T: Real, const N: usize, G: TensorField<T, N>> CellTerm<'a, T, N, G> {
-    fn new(g: &'a G, space: &Lagrange<'_, N>, rule: &Rule) -> Self {
+    fn new(g: &'a G, space: &Lagrange<N>, rule: &Rule) -> Self {
         Self {
             g,
             sites: Sites::new(N, rule, space),
@@ -112,7 +117,7 @@ struct FaceTerm<'a, T: Real, const N: usize, G: TensorField<T, N>> {
 }
 
 impl<'a, T: Real, const N: usize, G: TensorField<T, N>> FaceTerm<'a, T, N, G> {
-    fn new(g: &'a G, space: &Lagrange<'_, N>, rule: &Rule) -> Self {
+    fn new(g: &'a G, space: &Lagrange<N>, rule: &Rule) -> Self {
         let sites = Sites::<T>::new(N - 1, rule, space);
         let all: Vec<usize> = (0..=N).collect();
         let on_cell = space.trace_slots(&all);
@@ -165,7 +170,7 @@ fn densitized_mean_curvature<K: Formulas, T: Real, const N: usize>(
 /// 2 Σ̊_S ∫ Θ_S v ω_S.
 fn hinge_sum<K: Formulas, T: Real, const N: usize>(
     defects: &Defects<T>,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     sites: &Sites<T>,
 ) -> Vec<T::Sum> {
     let hinges = space.mesh().interior_hinges();
@@ -180,7 +185,7 @@ fn hinge_sum<K: Formulas, T: Real, const N: usize>(
 /// Θ_S at the barycentre of each interior hinge, in the order of the mesh: (hinge, Θ_S, |S| by a rule of `order`).
 pub fn angle_defects<const N: usize, G: TensorField<f64, N>>(
     g: &G,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     order: usize,
 ) -> Vec<(usize, f64, f64)> {
     let mesh = space.mesh();

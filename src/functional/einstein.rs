@@ -15,10 +15,10 @@ use crate::linalg::{Mat, Vector, inverse_and_det};
 use crate::mesh::Slot;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
-use crate::regge::ReggeSpace;
 use crate::riemann::{Connection, Curvature};
 use crate::scalar::{Field, Real};
 use crate::simplex::{Bernstein, Points, subsets};
+use crate::spaces::ReggeSpace;
 
 /// ⟨(Gω)_dist(g), ψ_i⟩ for every basis function ψ_i of a Regge space. Paper: def:distein.
 ///
@@ -26,15 +26,15 @@ use crate::simplex::{Bernstein, Points, subsets};
 /// [`einstein`](super::einstein) gives one by one.
 pub fn einstein_against<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &ReggeSpace<'_, N>,
+    space: &ReggeSpace<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let mut sums = Sums::zero(space.len());
     if !g.is_constant() {
-        sums.element = element_sum::<T, N, G>(g, space, &rules.element);
-        sums.face = face_sum::<T, N, G>(g, space, &rules.face);
+        sums.cells = element_sum::<T, N, G>(g, space, &rules.cells);
+        sums.faces = face_sum::<T, N, G>(g, space, &rules.faces);
     }
-    sums.hinge = hinge_sum::<T, N, G>(g, space, &rules.hinge);
+    sums.hinges = hinge_sum::<T, N, G>(g, space, &rules.hinges);
     sums
 }
 
@@ -53,7 +53,7 @@ struct Traces<T: Real, const N: usize> {
 }
 
 impl<T: Real, const N: usize> Traces<T, N> {
-    fn new(k: usize, rule: &Rule, space: &ReggeSpace<'_, N>) -> Self {
+    fn new(k: usize, rule: &Rule, space: &ReggeSpace<N>) -> Self {
         let places = subsets(N + 1, k + 1);
         let edges = |on: &Vec<usize>| {
             let pairs = subsets(k + 1, 2).into_iter();
@@ -96,7 +96,7 @@ impl<T: Real, const N: usize> Traces<T, N> {
     /// Σ over k-simplices of what `local` adds up, in their order whatever the threads do.
     fn sum(
         &self,
-        space: &ReggeSpace<'_, N>,
+        space: &ReggeSpace<N>,
         simplices: Vec<usize>,
         local: impl Fn(usize, &mut [T]) + Sync,
     ) -> Vec<T::Sum> {
@@ -129,29 +129,33 @@ fn unit_tensor<T: Real, const N: usize>(a: usize, b: usize) -> Mat<T, N> {
 /// Σ_T ∫ ⟨G, ψ⟩ ω.
 fn element_sum<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &ReggeSpace<'_, N>,
+    space: &ReggeSpace<N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
     let traces = Traces::<T, N>::new(N, rule, space);
     let table = g.tabulate(rule.points());
-    traces.sum(space, (0..space.mesh().cells()).collect(), |cell, acc| {
-        let local = g.on_cell(cell);
-        for block in 0..traces.weights.len() {
-            let g = g.jet2(&local, &table, block);
-            let connection = Connection::new(&lower(&g));
-            let einstein = Curvature::new(&g, &connection).einstein();
-            let omega = connection.det.sqrt();
-            traces.accumulate(0, block, acc, |psi| {
-                connection.inner(&einstein, psi) * omega
-            });
-        }
-    })
+    traces.sum(
+        space,
+        (0..space.mesh().cell_count()).collect(),
+        |cell, acc| {
+            let local = g.on_cell(cell);
+            for block in 0..traces.weights.len() {
+                let g = g.jet2(&local, &table, block);
+                let connection = Connection::new(&lower(&g));
+                let einstein = Curvature::new(&g, &connection).einstein();
+                let omega = connection.det.sqrt();
+                traces.accumulate(0, block, acc, |psi| {
+                    connection.inner(&einstein, psi) * omega
+                });
+            }
+        },
+    )
 }
 
 /// Σ̊_F ∫ ⟨⟦II‾⟧, ψ|_F⟩ ω_F, from both cells.
 fn face_sum<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &ReggeSpace<'_, N>,
+    space: &ReggeSpace<N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
     let mesh = space.mesh();
@@ -179,7 +183,7 @@ fn face_sum<T: Real, const N: usize, G: TensorField<T, N>>(
 /// −Σ̊_S ∫ Θ_S Tr(ψ|_S) ω_S.
 fn hinge_sum<T: Real, const N: usize, G: TensorField<T, N>>(
     g: &G,
-    space: &ReggeSpace<'_, N>,
+    space: &ReggeSpace<N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
     if N == 2 {

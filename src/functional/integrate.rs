@@ -1,10 +1,10 @@
 //! Integrals over the simplices of a mesh of a density that every cell around sees for itself.
 
 use super::site::{Sites, sum_over};
-use crate::lagrange::Lagrange;
 use crate::mesh::Side;
 use crate::quadrature::Rule;
 use crate::scalar::Real;
+use crate::spaces::Lagrange;
 
 /// Σ_D Σ_{T ⊃ D} ∫_D q_T v dμ for every basis function v, D from a list of k-simplices and dμ the coordinate measure.
 ///
@@ -12,7 +12,7 @@ use crate::scalar::Real;
 /// `side.place` (1 cell when k = N, 2 when D is an interior face). With v = 1 on both sides of a face it integrates
 /// the paper's jump ⟦q⟧, the sum of both sides.
 pub fn integrate<T: Real, const N: usize>(
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     k: usize,
     rule: &Rule,
     simplices: impl Iterator<Item = usize>,

@@ -20,7 +20,7 @@ pub fn cell_curvatures<T: Real, const N: usize, G: TensorField<T, N>>(
     rule: &Rule,
 ) -> Vec<T::Sum> {
     if g.is_constant() {
-        return vec![T::Sum::zero(); mesh.cells()];
+        return vec![T::Sum::zero(); mesh.cell_count()];
     }
     over_cells::<T, N, G>(g, mesh, rule, |local, table, block| {
         let (r, omega) = scalar_and_omega(&g.jet2(local, table, block));
@@ -56,7 +56,7 @@ fn over_cells<T: Real, const N: usize, G: TensorField<T, N>>(
     density: impl Fn(&G::Local, &G::Table, usize) -> T + Sync,
 ) -> Vec<T::Sum> {
     let (table, weights) = (g.tabulate(rule.points()), super::site::weights::<T>(rule));
-    let mut all = Vec::with_capacity(mesh.cells());
+    let mut all = Vec::with_capacity(mesh.cell_count());
     let on_cell = |cell: usize| {
         let local = g.on_cell(cell);
         let mut sum = T::zero();
@@ -65,7 +65,7 @@ fn over_cells<T: Real, const N: usize, G: TensorField<T, N>>(
         }
         sum.reduce()
     };
-    in_order(mesh.cells(), on_cell, |_, value| all.push(value));
+    in_order(mesh.cell_count(), on_cell, |_, value| all.push(value));
     all
 }
 

@@ -42,11 +42,11 @@ use crate::scalar::Real;
 #[derive(Clone, Debug)]
 pub struct Rules {
     /// On cells.
-    pub element: Rule,
+    pub cells: Rule,
     /// On faces.
-    pub face: Rule,
+    pub faces: Rule,
     /// On hinges.
-    pub hinge: Rule,
+    pub hinges: Rule,
 }
 
 impl Rules {
@@ -55,9 +55,9 @@ impl Rules {
     /// The integrands are not polynomials: see [`Rules::default_order`].
     pub fn new<const N: usize>(order: usize) -> Self {
         Self {
-            element: Rule::new(N, order),
-            face: Rule::new(N - 1, order),
-            hinge: Rule::new(N - 2, order),
+            cells: Rule::new(N, order),
+            faces: Rule::new(N - 1, order),
+            hinges: Rule::new(N - 2, order),
         }
     }
 
@@ -75,33 +75,33 @@ impl Rules {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sums<T> {
     /// Σ_T, by test function.
-    pub element: Vec<T>,
+    pub cells: Vec<T>,
     /// Σ_F, by test function.
-    pub face: Vec<T>,
+    pub faces: Vec<T>,
     /// Σ_S, by test function.
-    pub hinge: Vec<T>,
+    pub hinges: Vec<T>,
 }
 
 impl<T: Real> Sums<T> {
     /// All zero.
     fn zero(len: usize) -> Self {
         Self {
-            element: vec![T::zero(); len],
-            face: vec![T::zero(); len],
-            hinge: vec![T::zero(); len],
+            cells: vec![T::zero(); len],
+            faces: vec![T::zero(); len],
+            hinges: vec![T::zero(); len],
         }
     }
 
     /// The whole functional, by test function.
     pub fn total(&self) -> Vec<T> {
-        (0..self.element.len())
-            .map(|i| self.element[i] + self.face[i] + self.hinge[i])
+        (0..self.cells.len())
+            .map(|i| self.cells[i] + self.faces[i] + self.hinges[i])
             .collect()
     }
 
     /// The three sums for v = Σ c_i v_i. With all c_i = 1, v = 1.
     pub fn pair(&self, coefficients: &[f64]) -> [T; 3] {
-        [&self.element, &self.face, &self.hinge].map(|sum| {
+        [&self.cells, &self.faces, &self.hinges].map(|sum| {
             let mut value = T::zero();
             for (s, c) in sum.iter().zip(coefficients) {
                 value += *s * T::from_f64(*c);

@@ -1,13 +1,13 @@
 //! Where the integrals of one dimension take place: the k-simplices of a cell with a rule on them.
 
 use crate::field::TensorField;
-use crate::lagrange::Lagrange;
 use crate::linalg::Vector;
 use crate::mesh::Slot;
 use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
 use crate::scalar::{Field, Real};
 use crate::simplex::{Points, subsets};
+use crate::spaces::Lagrange;
 
 /// A rule's weights by blocks; lanes beyond the last point weigh nothing.
 pub(super) fn weights<T: Real>(rule: &Rule) -> Vec<T> {
@@ -32,7 +32,7 @@ pub(super) struct Sites<T> {
 
 impl<T: Real> Sites<T> {
     /// The k-simplices of an N-simplex.
-    pub fn new<const N: usize>(k: usize, rule: &Rule, space: &Lagrange<'_, N>) -> Self {
+    pub fn new<const N: usize>(k: usize, rule: &Rule, space: &Lagrange<N>) -> Self {
         let vertices = subsets(N + 1, k + 1);
         Self {
             points: vertices
@@ -83,7 +83,7 @@ impl<T: Real> Sites<T> {
 ///
 /// The order of the additions is that of the simplices, whatever the threads do.
 pub(super) fn sum_over<T: Real, const N: usize>(
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     sites: &Sites<T>,
     simplices: impl Iterator<Item = usize>,
     local: impl Fn(usize, &mut [T]) + Sync,

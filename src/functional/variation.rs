@@ -8,12 +8,12 @@ use crate::formulas::{Formulas, Paper};
 use crate::hinge::Hinge;
 use crate::hypersurface::{self, Normal, outward};
 use crate::jet::{Jet1, Jet2, lower};
-use crate::lagrange::Lagrange;
 use crate::linalg::{Vector, contract, inverse_and_det};
 use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
 use crate::riemann::{Connection, Curvature, differential};
 use crate::scalar::Real;
+use crate::spaces::Lagrange;
 
 /// b_h(g; σ, v) = Σ_T ∫ ⟨𝕊σ, ∇∇v⟩ ω − Σ_F ∫ 𝕊σ(n,n) ⟦∇_n v⟧ ω_F for every basis function v.
 ///
@@ -22,7 +22,7 @@ use crate::scalar::Real;
 pub fn b_h<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
     g: &G,
     sigma: &H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     b_h_with::<Paper, T, N, G, H>(g, sigma, space, rules)
@@ -38,12 +38,12 @@ pub fn b_h_with<
 >(
     g: &G,
     sigma: &H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let mesh = space.mesh();
-    let element = HessianTerm::new(g, sigma, space, &rules.element);
-    let face = NormalTerm::new(g, sigma, space, &rules.face);
+    let element = HessianTerm::new(g, sigma, space, &rules.cells);
+    let face = NormalTerm::new(g, sigma, space, &rules.faces);
     let mut sums = Sums::zero(space.len());
     let len = space.cell_len();
     let on_cell = |cell: usize, row: &mut [T]| {
@@ -57,12 +57,18 @@ pub fn b_h_with<
             }
         }
     };
-    rows_in_order(mesh.cells(), 2 * len, T::zero(), on_cell, |cell, row| {
-        for (i, dof) in space.cell_dofs(cell).enumerate() {
-            sums.element[dof] += row[i].reduce();
-            sums.face[dof] += row[len + i].reduce();
-        }
-    });
+    rows_in_order(
+        mesh.cell_count(),
+        2 * len,
+        T::zero(),
+        on_cell,
+        |cell, row| {
+            for (i, dof) in space.cell_dofs(cell).enumerate() {
+                sums.cells[dof] += row[i].reduce();
+                sums.faces[dof] += row[len + i].reduce();
+            }
+        },
+    );
     sums
 }
 
@@ -78,7 +84,7 @@ struct HessianTerm<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorF
 impl<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>
     HessianTerm<'a, T, N, G, H>
 {
-    fn new(g: &'a G, sigma: &'a H, space: &Lagrange<'_, N>, rule: &Rule) -> Self {
+    fn new(g: &'a G, sigma: &'a H, space: &Lagrange<N>, rule: &Rule) -> Self {
         Self {
             g,
             sigma,
@@ -114,7 +120,7 @@ struct NormalTerm<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorFi
 impl<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>
     NormalTerm<'a, T, N, G, H>
 {
-    fn new(g: &'a G, sigma: &'a H, space: &Lagrange<'_, N>, rule: &Rule) -> Self {
+    fn new(g: &'a G, sigma: &'a H, space: &Lagrange<N>, rule: &Rule) -> Self {
         let sites = Sites::<T>::new(N - 1, rule, space);
         let (on_g, on_sigma) = (sites.tables(g), sites.tables(sigma));
         let basis = space.basis(N);
@@ -155,7 +161,7 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>
 pub fn a_h<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
     g: &G,
     sigma: &H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     a_h_with::<Paper, T, N, G, H>(g, sigma, space, rules)
@@ -171,15 +177,15 @@ pub fn a_h_with<
 >(
     g: &G,
     sigma: &H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let mut sums = Sums::zero(space.len());
     if !g.is_constant() {
-        sums.element = einstein_sum(g, sigma, space, &rules.element);
-        sums.face = second_form_sum::<K, T, N, G, H>(g, sigma, space, &rules.face);
+        sums.cells = einstein_sum(g, sigma, space, &rules.cells);
+        sums.faces = second_form_sum::<K, T, N, G, H>(g, sigma, space, &rules.faces);
     }
-    sums.hinge = defect_sum::<K, T, N, G, H>(g, sigma, space, &rules.hinge);
+    sums.hinges = defect_sum::<K, T, N, G, H>(g, sigma, space, &rules.hinges);
     sums
 }
 
@@ -199,12 +205,12 @@ pub fn einstein<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T,
 fn einstein_sum<T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
     g: &G,
     sigma: &H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
     let sites = Sites::<T>::new(N, rule, space);
     let tables = (g.tabulate(rule.points()), sigma.tabulate(rule.points()));
-    sum_over(space, &sites, 0..space.mesh().cells(), |cell, acc| {
+    sum_over(space, &sites, 0..space.mesh().cell_count(), |cell, acc| {
         let locals = (g.on_cell(cell), sigma.on_cell(cell));
         for block in 0..sites.weights.len() {
             let g = g.jet2(&locals.0, &tables.0, block);
@@ -227,7 +233,7 @@ fn second_form_sum<
 >(
     g: &G,
     sigma: &H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
     let mesh = space.mesh();
@@ -255,7 +261,7 @@ fn second_form_sum<
 fn defect_sum<K: Formulas, T: Real, const N: usize, G: TensorField<T, N>, H: TensorField<T, N>>(
     g: &G,
     sigma: &H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     rule: &Rule,
 ) -> Vec<T::Sum> {
     let mesh = space.mesh();

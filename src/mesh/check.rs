@@ -8,7 +8,9 @@ use crate::linalg::Mat;
 impl<const N: usize> Mesh<N> {
     /// Cells have volume, and neighbours lie on different sides of their common face.
     pub(super) fn check_orientation(&self) -> Result<(), Error> {
-        let volumes: Vec<f64> = (0..self.cells()).map(|c| self.relative_volume(c)).collect();
+        let volumes: Vec<f64> = (0..self.cell_count())
+            .map(|c| self.relative_volume(c))
+            .collect();
         // A simplex that is flat to this part of a cube on its longest edge is degenerate in f64.
         if let Some(cell) = volumes.iter().position(|v| v.is_nan() || v.abs() < 1e-12) {
             return Err(Error::Cell {

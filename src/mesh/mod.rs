@@ -17,6 +17,7 @@ use crate::Error;
 use crate::linalg::{Mat, Vector};
 use check::{check_manifold, sorted_cells};
 use incidence::Layer;
+use std::sync::Arc;
 
 /// Where the vertices are in ℝ^N.
 #[derive(Clone, Debug)]
@@ -24,16 +25,24 @@ enum Chart<const N: usize> {
     /// Nowhere: an abstract manifold.
     Abstract,
     /// One point a vertex.
-    Vertices(Vec<Vector<f64, N>>),
+    Vertices(Arc<[Vector<f64, N>]>),
     /// N+1 points a cell, in the order of its vertices: a manifold with several charts.
-    Cells(Vec<Vector<f64, N>>),
+    Cells(Arc<[Vector<f64, N>]>),
+}
+
+/// How the simplices of a mesh hang together.
+#[derive(Debug)]
+struct Complex {
+    cells: Vec<u32>,
+    layers: Vec<Layer>,
 }
 
 /// A triangulated N-manifold, with or without boundary.
+///
+/// A mesh is a handle: a clone shares the tables, so that spaces and functions own the mesh that they stand on.
 #[derive(Clone, Debug)]
 pub struct Mesh<const N: usize> {
-    cells: Vec<u32>,
-    layers: Vec<Layer>,
+    complex: Arc<Complex>,
     chart: Chart<N>,
 }
 
@@ -60,7 +69,7 @@ impl<const N: usize> Mesh<N> {
             }
         }
         let mut mesh = Self::new_abstract(points.len(), cells)?;
-        mesh.chart = Chart::Vertices(points);
+        mesh.chart = Chart::Vertices(points.into());
         mesh.check_orientation()?;
         Ok(mesh)
     }
@@ -81,8 +90,10 @@ impl<const N: usize> Mesh<N> {
         check_manifold::<N>(&layers)?;
         incidence::mark_boundary(N, &mut layers);
         Ok(Self {
-            cells: sorted,
-            layers,
+            complex: Arc::new(Complex {
+                cells: sorted,
+                layers,
+            }),
             chart: Chart::Abstract,
         })
     }
@@ -97,7 +108,7 @@ impl<const N: usize> Mesh<N> {
         corners: &[Vec<Vector<f64, N>>],
     ) -> Result<Self, Error> {
         let mut mesh = Self::new_abstract(vertices, cells)?;
-        let mut points = Vec::with_capacity(mesh.cells.len());
+        let mut points = Vec::with_capacity(mesh.complex.cells.len());
         for (cell, (vertices, corners)) in cells.iter().zip(corners).enumerate() {
             if corners.len() != N + 1 || corners.iter().flatten().any(|x| !x.is_finite()) {
                 return Err(Error::Cell {
@@ -109,12 +120,12 @@ impl<const N: usize> Mesh<N> {
             order.sort_by_key(|&i| vertices[i]);
             points.extend(order.into_iter().map(|i| corners[i]));
         }
-        if points.len() != mesh.cells.len() {
+        if points.len() != mesh.complex.cells.len() {
             return Err(Error::Input(
                 "as many lists of corners as cells are needed".into(),
             ));
         }
-        mesh.chart = Chart::Cells(points);
+        mesh.chart = Chart::Cells(points.into());
         mesh.check_orientation()?;
         Ok(mesh)
     }
@@ -122,23 +133,23 @@ impl<const N: usize> Mesh<N> {
     /// How many k-simplices, k = 0…N.
     pub fn count(&self, k: usize) -> usize {
         if k == N {
-            self.cells.len() / (N + 1)
+            self.complex.cells.len() / (N + 1)
         } else {
-            self.layers[k].interior.len()
+            self.complex.layers[k].interior.len()
         }
     }
 
     /// How many cells.
-    pub fn cells(&self) -> usize {
+    pub fn cell_count(&self) -> usize {
         self.count(N)
     }
 
     /// The ascending vertices of a k-simplex.
     pub fn vertices(&self, k: usize, simplex: usize) -> &[u32] {
         let list = if k == N {
-            &self.cells
+            &self.complex.cells
         } else {
-            &self.layers[k].vertices
+            &self.complex.layers[k].vertices
         };
         &list[simplex * (k + 1)..(simplex + 1) * (k + 1)]
     }
@@ -146,13 +157,13 @@ impl<const N: usize> Mesh<N> {
     /// The k-simplices of a cell, in the order of [`crate::simplex::subsets`] of its vertices, k < N.
     #[inline]
     pub fn simplices_of(&self, cell: usize, k: usize) -> &[u32] {
-        let layer = &self.layers[k];
+        let layer = &self.complex.layers[k];
         &layer.of_cell[cell * layer.per_cell..(cell + 1) * layer.per_cell]
     }
 
     /// The cells that contain a k-simplex, ascending, k < N.
     pub fn star(&self, k: usize, simplex: usize) -> impl ExactSizeIterator<Item = Side> + '_ {
-        let stars = &self.layers[k].stars;
+        let stars = &self.complex.layers[k].stars;
         stars.entries[stars.offsets[simplex]..stars.offsets[simplex + 1]]
             .iter()
             .map(|&(cell, place)| Side {
@@ -170,7 +181,7 @@ impl<const N: usize> Mesh<N> {
                 place: 0,
             };
         }
-        let stars = &self.layers[k].stars;
+        let stars = &self.complex.layers[k].stars;
         let (cell, place) = stars.entries[stars.offsets[simplex]];
         Side {
             cell: cell as usize,
@@ -181,7 +192,7 @@ impl<const N: usize> Mesh<N> {
     /// Is a k-simplex interior, that is not contained in the boundary? Cells are.
     #[inline]
     pub fn is_interior(&self, k: usize, simplex: usize) -> bool {
-        k == N || self.layers[k].interior[simplex]
+        k == N || self.complex.layers[k].interior[simplex]
     }
 
     /// The interior k-simplices 𝒯̊^k.
@@ -201,7 +212,7 @@ impl<const N: usize> Mesh<N> {
 
     /// No boundary at all?
     pub fn is_closed(&self) -> bool {
-        self.layers[N - 1].interior.iter().all(|&i| i)
+        self.complex.layers[N - 1].interior.iter().all(|&i| i)
     }
 
     /// Σ_k (−1)^k |𝒯^k|.
@@ -234,7 +245,9 @@ impl<const N: usize> Mesh<N> {
     pub fn corner(&self, cell: usize, i: usize) -> Option<Vector<f64, N>> {
         match &self.chart {
             Chart::Abstract => None,
-            Chart::Vertices(points) => Some(points[self.cells[cell * (N + 1) + i] as usize]),
+            Chart::Vertices(points) => {
+                Some(points[self.complex.cells[cell * (N + 1) + i] as usize])
+            }
             Chart::Cells(points) => Some(points[cell * (N + 1) + i]),
         }
     }
@@ -252,7 +265,7 @@ impl<const N: usize> Mesh<N> {
     /// The largest edge length in ℝ^N: h = max_T h_T. Zero without coordinates.
     pub fn mesh_size(&self) -> f64 {
         let mut size: f64 = 0.0;
-        for cell in 0..self.cells() {
+        for cell in 0..self.cell_count() {
             for i in 0..=N {
                 for j in 0..i {
                     if let (Some(a), Some(b)) = (self.corner(cell, i), self.corner(cell, j)) {

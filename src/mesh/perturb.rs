@@ -45,7 +45,7 @@ impl<const N: usize> Mesh<N> {
             }
         }
         let mut mesh = self.clone();
-        mesh.chart = Chart::Vertices(moved);
+        mesh.chart = Chart::Vertices(moved.into());
         mesh.check_orientation()?;
         Ok(mesh)
     }

@@ -41,7 +41,7 @@ pub(super) struct Coarse<const N: usize> {
 impl<const N: usize> Coarse<N> {
     /// # Errors
     /// If the mesh is no lattice, and as [`Modes::new`].
-    pub fn new(hhj: &Hhj<'_, N>, skeleton: &Skeleton) -> Result<Self, Error> {
+    pub fn new(hhj: &Hhj<N>, skeleton: &Skeleton) -> Result<Self, Error> {
         let lattice = Lattice::of(hhj.mesh())
             .ok_or_else(|| Error::Input("the mesh is not that of a cube".into()))?;
         let p = hhj.space().degree();
@@ -65,7 +65,7 @@ impl<const N: usize> Coarse<N> {
     }
 
     /// z += P C⁻¹ Pᵀ r, weighted.
-    pub fn add(&self, hhj: &Hhj<'_, N>, skeleton: &Skeleton, r: &[f64], z: &mut [f64]) {
+    pub fn add(&self, hhj: &Hhj<N>, skeleton: &Skeleton, r: &[f64], z: &mut [f64]) {
         // Single precision has a narrow range: residuals are brought to size one and back.
         let size = super::cg::dot(r, r).sqrt();
         if size == 0.0 {

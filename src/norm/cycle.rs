@@ -37,12 +37,7 @@ pub(super) struct Room {
 }
 
 impl<const N: usize> Cycle<N> {
-    pub fn new(
-        hhj: &Hhj<'_, N>,
-        operator: &Operator,
-        jacobi: BlockJacobi,
-        coarse: Coarse<N>,
-    ) -> Self {
+    pub fn new(hhj: &Hhj<N>, operator: &Operator, jacobi: BlockJacobi, coarse: Coarse<N>) -> Self {
         let mut cycle = Self {
             jacobi,
             coarse,
@@ -69,7 +64,7 @@ impl<const N: usize> Cycle<N> {
     /// z = M⁻¹ r.
     pub fn apply(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         operator: &Operator,
         r: &[f64],
         z: &mut [f64],
@@ -93,7 +88,7 @@ impl<const N: usize> Cycle<N> {
     /// Smoothes z; the residual follows if it is still wanted.
     fn smooth(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         operator: &Operator,
         z: &mut [f64],
         room: &mut Room,
@@ -130,7 +125,7 @@ impl<const N: usize> Cycle<N> {
 }
 
 impl Room {
-    pub fn new<const N: usize>(hhj: &Hhj<'_, N>, operator: &Operator) -> Self {
+    pub fn new<const N: usize>(hhj: &Hhj<N>, operator: &Operator) -> Self {
         let zero = vec![0.0; operator.skeleton.len()];
         Self {
             residual: zero.clone(),
@@ -146,7 +141,7 @@ impl Room {
     }
 
     /// residual −= A correction.
-    fn subtract_image<const N: usize>(&mut self, hhj: &Hhj<'_, N>, operator: &Operator) {
+    fn subtract_image<const N: usize>(&mut self, hhj: &Hhj<N>, operator: &Operator) {
         operator.apply(hhj, &self.correction, &mut self.image, &mut self.operator);
         axpy(&mut self.residual, -1.0, &self.image);
     }
@@ -158,7 +153,7 @@ mod tests {
     use crate::mesh::Mesh;
     use crate::norm::cell::eliminate;
 
-    fn random(len: usize, seed: u64, hhj: &Hhj<'_, 3>, operator: &Operator) -> Vec<f64> {
+    fn random(len: usize, seed: u64, hhj: &Hhj<3>, operator: &Operator) -> Vec<f64> {
         let mut random = SplitMix64::new(seed);
         let mut x: Vec<f64> = (0..len).map(|_| random.symmetric()).collect();
         let skeleton = &operator.skeleton;
@@ -172,10 +167,10 @@ mod tests {
     }
 
     /// S by the cells' matrices, which the direct solver assembles.
-    fn by_matrices(hhj: &Hhj<'_, 3>, operator: &Operator, x: &[f64]) -> Vec<f64> {
+    fn by_matrices(hhj: &Hhj<3>, operator: &Operator, x: &[f64]) -> Vec<f64> {
         let (skeleton, layout) = (&operator.skeleton, hhj.layout());
         let mut y = vec![0.0; x.len()];
-        for cell in 0..hhj.mesh().cells() {
+        for cell in 0..hhj.mesh().cell_count() {
             let mut energy = hhj.energy(cell);
             eliminate(&mut energy, layout.bubbles);
             let mut at = vec![0; layout.len];

@@ -28,25 +28,29 @@ impl Direct {
     ///
     /// # Errors
     /// If memory does not suffice, or rounding makes the system indefinite (cells that are all but flat).
-    pub fn new<const N: usize>(hhj: &Hhj<'_, N>) -> Result<Self, Error> {
+    pub fn new<const N: usize>(hhj: &Hhj<N>) -> Result<Self, Error> {
         let (mesh, layout) = (hhj.mesh(), hhj.layout());
         let unknowns = Unknowns::new(mesh, layout, &hhj.centres());
         let mut matrix = Upper::new(mesh, layout, &unknowns);
         let mut places = vec![0; unknowns.len()];
-        let mut bubbles = Vec::with_capacity(mesh.cells() * layout.bubbles * layout.len);
-        for begin in (0..mesh.cells()).step_by(CHUNK) {
+        let mut bubbles = Vec::with_capacity(mesh.cell_count() * layout.bubbles * layout.len);
+        for begin in (0..mesh.cell_count()).step_by(CHUNK) {
             let eliminated = |i: usize| {
                 let mut energy = hhj.energy(begin + i);
                 eliminate(&mut energy, layout.bubbles);
                 energy
             };
-            in_order(CHUNK.min(mesh.cells() - begin), eliminated, |i, local| {
-                let cell = begin + i;
-                bubbles.extend_from_slice(&local.as_slice()[..layout.bubbles * layout.len]);
-                let blocks: Vec<_> = unknowns.of_cell(mesh, layout, cell).collect();
-                unknowns.locate(layout, &blocks, &hhj.cell_unknowns(cell), &mut places);
-                matrix.add(layout, &unknowns, &blocks, &local);
-            });
+            in_order(
+                CHUNK.min(mesh.cell_count() - begin),
+                eliminated,
+                |i, local| {
+                    let cell = begin + i;
+                    bubbles.extend_from_slice(&local.as_slice()[..layout.bubbles * layout.len]);
+                    let blocks: Vec<_> = unknowns.of_cell(mesh, layout, cell).collect();
+                    unknowns.locate(layout, &blocks, &hhj.cell_unknowns(cell), &mut places);
+                    matrix.add(layout, &unknowns, &blocks, &local);
+                },
+            );
         }
         let factor = if places.is_empty() {
             None
@@ -63,10 +67,14 @@ impl Direct {
     /// The bubbles of each cell with their columns of L: (indices in a [`Deflection`], column after column).
     fn eliminations<const N: usize>(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
     ) -> impl Iterator<Item = (Vec<usize>, &[f64])> {
         let size = hhj.layout().bubbles * hhj.layout().len;
-        let cells = if size == 0 { 0 } else { hhj.mesh().cells() };
+        let cells = if size == 0 {
+            0
+        } else {
+            hhj.mesh().cell_count()
+        };
         (0..cells).map(move |cell| {
             (
                 hhj.cell_unknowns(cell),
@@ -83,7 +91,7 @@ impl<const N: usize> BiharmonicSolver<N> for Direct {
 
     fn solve(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         load: &[f64],
         _: &mut dyn FnMut(Step),
     ) -> Result<Deflection, Error> {

@@ -9,9 +9,9 @@
 //! dμ the measure of the face's own reference simplex.
 
 use super::layout::Layout;
-use crate::lagrange::Lagrange;
 use crate::quadrature::Rule;
 use crate::simplex::{Bernstein, Points, subsets};
+use crate::spaces::Lagrange;
 use nalgebra::{DMatrix, DVector};
 
 /// The reference element.
@@ -32,7 +32,7 @@ pub(super) struct Element<const N: usize> {
 }
 
 impl<const N: usize> Element<N> {
-    pub fn new(space: &Lagrange<'_, N>) -> Self {
+    pub fn new(space: &Lagrange<N>) -> Self {
         let layout = Layout::new(space);
         let pairs: Vec<(usize, usize)> = (0..N).flat_map(|i| (i..N).map(move |j| (i, j))).collect();
         let moments = Moments::new(N, space.degree() - 1);

@@ -4,11 +4,11 @@ use super::cell::Shape;
 use super::element::Element;
 use super::layout::{Layout, slopes};
 use crate::Error;
-use crate::lagrange::Lagrange;
 use crate::linalg::{Mat, Vector};
 use crate::mesh::Mesh;
 use crate::quadrature::Rule;
 use crate::simplex::{Bernstein, Points};
+use crate::spaces::Lagrange;
 use nalgebra::DMatrix;
 
 /// The hybridised Hellan–Herrmann–Johnson discretisation of Δ²u = f, u ∈ H²₀, on a mesh in ℝ^N.
@@ -18,8 +18,8 @@ use nalgebra::DMatrix;
 /// σ ∈ P_{p−1} are eliminated cell by cell, σ(u, û); û makes their normal-normal components continuous. The problem is
 /// Σ_T |σ(u, û)|²_{L²(T)}/2 − f(u) → min.
 #[derive(Clone, Debug)]
-pub struct Hhj<'m, const N: usize> {
-    space: Lagrange<'m, N>,
+pub struct Hhj<const N: usize> {
+    space: Lagrange<N>,
     element: Element<N>,
     shapes: Vec<Shape<N>>,
 }
@@ -31,12 +31,12 @@ pub struct Deflection {
     pub coefficients: Vec<f64>,
 }
 
-impl<'m, const N: usize> Hhj<'m, N> {
+impl<const N: usize> Hhj<N> {
     /// The problem with u of degree p and moments of degree p−1.
     ///
     /// # Errors
     /// If p = 0, the mesh has no coordinates, or it has no boundary to be clamped at.
-    pub fn new(mesh: &'m Mesh<N>, degree: usize) -> Result<Self, Error> {
+    pub fn new(mesh: &Mesh<N>, degree: usize) -> Result<Self, Error> {
         if degree == 0 {
             return Err(Error::Input(
                 "the method of Hellan, Herrmann and Johnson needs degree ≥ 1".into(),
@@ -47,7 +47,7 @@ impl<'m, const N: usize> Hhj<'m, N> {
                 "a mesh without boundary cannot be clamped".into(),
             ));
         }
-        let shapes: Option<Vec<_>> = (0..mesh.cells())
+        let shapes: Option<Vec<_>> = (0..mesh.cell_count())
             .map(|cell| Shape::new(mesh, cell))
             .collect();
         let shapes = shapes.ok_or(Error::NoCoordinates("the biharmonic problem"))?;
@@ -60,12 +60,12 @@ impl<'m, const N: usize> Hhj<'m, N> {
     }
 
     /// The mesh.
-    pub fn mesh(&self) -> &'m Mesh<N> {
+    pub fn mesh(&self) -> &Mesh<N> {
         self.space.mesh()
     }
 
     /// The space of u, in whose basis loads are given.
-    pub fn space(&self) -> &Lagrange<'m, N> {
+    pub fn space(&self) -> &Lagrange<N> {
         &self.space
     }
 

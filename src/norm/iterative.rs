@@ -28,7 +28,7 @@ const STEPS: usize = 1000;
 
 impl<const N: usize> Iterative<N> {
     /// Is it for this mesh?
-    pub fn suits(hhj: &Hhj<'_, N>) -> bool {
+    pub fn suits(hhj: &Hhj<N>) -> bool {
         (2..=3).contains(&N) && Lattice::of(hhj.mesh()).is_some()
     }
 
@@ -36,7 +36,7 @@ impl<const N: usize> Iterative<N> {
     ///
     /// # Errors
     /// If the mesh is not a cube's or N > 3, or a block of the operator is not positive definite.
-    pub fn new(hhj: &Hhj<'_, N>) -> Result<Self, Error> {
+    pub fn new(hhj: &Hhj<N>) -> Result<Self, Error> {
         if !Self::suits(hhj) {
             let reason = "the iterative solver is for the cube's mesh, inner vertices moved or not, N = 2 or 3";
             return Err(Error::Input(reason.into()));
@@ -64,7 +64,7 @@ impl<const N: usize> Iterative<N> {
     }
 
     /// How many additions and multiplications one application of the operator is, as dense products count them.
-    pub fn operations(&self, hhj: &Hhj<'_, N>) -> f64 {
+    pub fn operations(&self, hhj: &Hhj<N>) -> f64 {
         self.operator.operations(hhj)
     }
 
@@ -73,7 +73,7 @@ impl<const N: usize> Iterative<N> {
     ///
     /// # Panics
     /// If x or y has not [`Iterative::unknowns`] entries.
-    pub fn apply(&self, hhj: &Hhj<'_, N>, x: &[f64], y: &mut [f64], room: &mut Vec<f64>) {
+    pub fn apply(&self, hhj: &Hhj<N>, x: &[f64], y: &mut [f64], room: &mut Vec<f64>) {
         assert!(x.len() == self.unknowns() && y.len() == x.len());
         room.resize(self.operator.room(hhj), 0.0);
         self.operator.apply(hhj, x, y, room);
@@ -83,7 +83,7 @@ impl<const N: usize> Iterative<N> {
     ///
     /// # Panics
     /// If r or z has not [`Iterative::unknowns`] entries.
-    pub fn precondition(&self, hhj: &Hhj<'_, N>, r: &[f64], z: &mut [f64]) {
+    pub fn precondition(&self, hhj: &Hhj<N>, r: &[f64], z: &mut [f64]) {
         assert!(r.len() == self.unknowns() && z.len() == r.len());
         let mut room = Room::new(hhj, &self.operator);
         self.cycle.apply(hhj, &self.operator, r, z, &mut room);
@@ -97,7 +97,7 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
 
     fn solve(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         load: &[f64],
         watch: &mut dyn FnMut(Step),
     ) -> Result<Deflection, Error> {

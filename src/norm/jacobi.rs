@@ -20,7 +20,7 @@ const SIMPLICES: usize = 1024;
 impl BlockJacobi {
     /// # Errors
     /// If rounding makes a block indefinite (cells that are all but flat).
-    pub fn new<const N: usize>(hhj: &Hhj<'_, N>, skeleton: &Skeleton) -> Result<Self, Error> {
+    pub fn new<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Result<Self, Error> {
         let (mesh, layout) = (hhj.mesh(), hhj.layout());
         let sizes: Vec<usize> = skeleton.widths.iter().map(|w| w * (w + 1) / 2).collect();
         let mut sums: Vec<Vec<f64>> = (0..N)
@@ -37,7 +37,7 @@ impl BlockJacobi {
             }
             packed
         };
-        in_order(mesh.cells(), blocks, |cell, packed| {
+        in_order(mesh.cell_count(), blocks, |cell, packed| {
             let mut from = packed.as_slice();
             for block in &layout.blocks {
                 let (here, rest) = from.split_at(sizes[block.k]);
@@ -94,7 +94,7 @@ fn multiply(a: &[f32], r: &[f64], z: &mut [f64]) {
 
 /// The inverses of the k-simplices' blocks.
 fn invert<const N: usize>(
-    hhj: &Hhj<'_, N>,
+    hhj: &Hhj<N>,
     k: usize,
     width: usize,
     sums: &[f64],

@@ -25,7 +25,7 @@ impl<const N: usize> Lattice<N> {
         let boxes = side.checked_pow(N as u32)?;
         if side == 0
             || (side + 1).pow(N as u32) != points.len()
-            || boxes * (1..=N).product::<usize>() != mesh.cells()
+            || boxes * (1..=N).product::<usize>() != mesh.cell_count()
         {
             return None;
         }
@@ -64,6 +64,6 @@ impl<const N: usize> Lattice<N> {
                 (0..N).all(|i| at[i] == base[i] || at[i] == base[i] + 1)
             })
         };
-        points.iter().enumerate().all(near) && (0..mesh.cells()).all(compact)
+        points.iter().enumerate().all(near) && (0..mesh.cell_count()).all(compact)
     }
 }

@@ -4,9 +4,9 @@
 //! [`crate::simplex::subsets`]: the u that belong to it, and on a face the slope û in Bernstein polynomials of
 //! degree p−1 after them.
 
-use crate::lagrange::Lagrange;
 use crate::mesh::Slot;
 use crate::simplex::{Bernstein, binomial, subsets};
+use crate::spaces::Lagrange;
 
 /// The unknowns of one subsimplex of a cell.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub fn new<const N: usize>(space: &Lagrange<'_, N>) -> Self {
+    pub fn new<const N: usize>(space: &Lagrange<N>) -> Self {
         let p = space.degree();
         let bubbles = binomial(p - 1, N);
         let mut blocks = Vec::new();

@@ -41,10 +41,10 @@ pub use hhj::{Deflection, Hhj};
 pub use iterative::Iterative;
 
 use crate::Error;
-use crate::lagrange::Lagrange;
 use crate::mesh::Mesh;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
+use crate::spaces::Lagrange;
 
 /// What solves the discrete problem: the seam at which a solver can be replaced.
 pub trait BiharmonicSolver<const N: usize>: std::fmt::Debug + Send + Sync {
@@ -57,7 +57,7 @@ pub trait BiharmonicSolver<const N: usize>: std::fmt::Debug + Send + Sync {
     /// If the solver gives up.
     fn solve(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         load: &[f64],
         watch: &mut dyn FnMut(Step),
     ) -> Result<Deflection, Error>;
@@ -80,7 +80,7 @@ pub struct Step {
 const MANY_UNKNOWNS: usize = 15_000;
 
 /// The solver that suits a discretisation: iterative for many unknowns on a cube's mesh in space, direct otherwise.
-fn choose<const N: usize>(hhj: &Hhj<'_, N>) -> Result<Box<dyn BiharmonicSolver<N>>, Error> {
+fn choose<const N: usize>(hhj: &Hhj<N>) -> Result<Box<dyn BiharmonicSolver<N>>, Error> {
     Ok(
         match N == 3 && hhj.len() >= MANY_UNKNOWNS && Iterative::suits(hhj) {
             true => Box::new(Iterative::new(hhj)?),
@@ -91,8 +91,8 @@ fn choose<const N: usize>(hhj: &Hhj<'_, N>) -> Result<Box<dyn BiharmonicSolver<N
 
 /// The H⁻² norm on a mesh in ℝ^N: set up once, for as many functionals as you like.
 #[derive(Debug)]
-pub struct HMinus2<'m, const N: usize> {
-    hhj: Hhj<'m, N>,
+pub struct HMinus2<const N: usize> {
+    hhj: Hhj<N>,
     solver: Box<dyn BiharmonicSolver<N>>,
 }
 
@@ -102,7 +102,7 @@ pub struct HMinus2Norm {
     /// ‖u‖ in L²(Ω).
     pub u_l2: f64,
     /// ‖∇u‖ in L²(Ω).
-    pub u_h1: f64,
+    pub grad_l2: f64,
     /// ‖σ‖ in L²(Ω), the moments' norm (not that of the broken Hessian of u).
     pub sigma_l2: f64,
 }
@@ -110,24 +110,24 @@ pub struct HMinus2Norm {
 impl HMinus2Norm {
     /// √(‖u‖² + ‖∇u‖² + ‖σ‖²).
     pub fn total(&self) -> f64 {
-        (self.u_l2.powi(2) + self.u_h1.powi(2) + self.sigma_l2.powi(2)).sqrt()
+        (self.u_l2.powi(2) + self.grad_l2.powi(2) + self.sigma_l2.powi(2)).sqrt()
     }
 }
 
-impl<'m, const N: usize> HMinus2<'m, N> {
+impl<const N: usize> HMinus2<N> {
     /// The norm by u of degree p, with the solver that suits the mesh: [`Iterative`] for many unknowns on a cube's mesh in
     /// space, [`Direct`] otherwise.
     ///
     /// # Errors
     /// As [`Hhj::new`], [`Direct::new`] and [`Iterative::new`].
-    pub fn new(mesh: &'m Mesh<N>, degree: usize) -> Result<Self, Error> {
+    pub fn new(mesh: &Mesh<N>, degree: usize) -> Result<Self, Error> {
         let hhj = Hhj::new(mesh, degree)?;
         let solver = choose(&hhj)?;
         Ok(Self { hhj, solver })
     }
 
     /// The norm by a discretisation and a solver made for it.
-    pub fn with_solver(hhj: Hhj<'m, N>, solver: Box<dyn BiharmonicSolver<N>>) -> Self {
+    pub fn with_solver(hhj: Hhj<N>, solver: Box<dyn BiharmonicSolver<N>>) -> Self {
         Self { hhj, solver }
     }
 
@@ -137,12 +137,12 @@ impl<'m, const N: usize> HMinus2<'m, N> {
     }
 
     /// The discretisation.
-    pub fn hhj(&self) -> &Hhj<'m, N> {
+    pub fn hhj(&self) -> &Hhj<N> {
         &self.hhj
     }
 
     /// The space of the test functions v of a load f(v).
-    pub fn space(&self) -> &Lagrange<'m, N> {
+    pub fn space(&self) -> &Lagrange<N> {
         self.hhj.space()
     }
 
@@ -213,15 +213,15 @@ impl<'m, const N: usize> HMinus2<'m, N> {
         let table = self.hhj.table(rule);
         let mut sums = [0.0; 3];
         let squares = |cell| self.hhj.squares(deflection, cell, &table);
-        in_order(self.hhj.mesh().cells(), squares, |_, squares| {
+        in_order(self.hhj.mesh().cell_count(), squares, |_, squares| {
             for (sum, square) in sums.iter_mut().zip(squares) {
                 *sum += square;
             }
         });
-        let [u_l2, u_h1, sigma_l2] = sums.map(f64::sqrt);
+        let [u_l2, grad_l2, sigma_l2] = sums.map(f64::sqrt);
         Ok(HMinus2Norm {
             u_l2,
-            u_h1,
+            grad_l2,
             sigma_l2,
         })
     }

@@ -24,7 +24,7 @@ pub(super) struct Operator {
 const SIMPLICES: usize = 1024;
 
 impl Operator {
-    pub fn new<const N: usize>(hhj: &Hhj<'_, N>) -> Self {
+    pub fn new<const N: usize>(hhj: &Hhj<N>) -> Self {
         let element = hhj.element();
         let (size, bubbles) = (element.moments.len(), element.layout.bubbles);
         let block = |a: usize| element.pairing.view((a * size, 0), (size, bubbles));
@@ -39,29 +39,23 @@ impl Operator {
     }
 
     /// How much room [`Operator::apply`] needs.
-    pub fn room<const N: usize>(&self, hhj: &Hhj<'_, N>) -> usize {
-        hhj.mesh().cells() * outer(hhj)
+    pub fn room<const N: usize>(&self, hhj: &Hhj<N>) -> usize {
+        hhj.mesh().cell_count() * outer(hhj)
     }
 
     /// The operations of [`Operator::apply`]: B̂ and B̂ᵀ, twice W ⊗ I where there are bubbles, and T with Tᵀ.
-    pub fn operations<const N: usize>(&self, hhj: &Hhj<'_, N>) -> f64 {
+    pub fn operations<const N: usize>(&self, hhj: &Hhj<N>) -> f64 {
         let element = hhj.element();
         let (rows, columns) = element.pairing.shape();
         let bubbles = element.layout.bubbles;
         let weights = rows * element.pairs.len() * if bubbles > 0 { 2 } else { 1 };
         let slopes: usize = element.layout.faces.iter().map(Vec::len).sum();
         let cell = 4 * rows * (columns + bubbles) + 2 * weights + 4 * slopes * (N + 1);
-        cell as f64 * hhj.mesh().cells() as f64
+        cell as f64 * hhj.mesh().cell_count() as f64
     }
 
     /// y = S x for the Schur complement S of the bubbles. `room` is overwritten.
-    pub fn apply<const N: usize>(
-        &self,
-        hhj: &Hhj<'_, N>,
-        x: &[f64],
-        y: &mut [f64],
-        room: &mut [f64],
-    ) {
+    pub fn apply<const N: usize>(&self, hhj: &Hhj<N>, x: &[f64], y: &mut [f64], room: &mut [f64]) {
         for_chunks(room, CELLS * outer(hhj), |batch, out| {
             let mut work = Work::new(hhj, batch);
             work.load(hhj, &self.skeleton, x);
@@ -75,7 +69,7 @@ impl Operator {
     /// y −= A_sb A_bb⁻¹ f_b: the bubbles' load handed on to the other unknowns.
     pub fn condense<const N: usize>(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         load: &[f64],
         y: &mut [f64],
         room: &mut [f64],
@@ -91,7 +85,7 @@ impl Operator {
     /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients.
     pub fn bubbles<const N: usize>(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         load: &[f64],
         x: &[f64],
         coefficients: &mut [f64],
@@ -101,7 +95,7 @@ impl Operator {
             return;
         }
         let first = self.skeleton.bubbles(0).start;
-        let all = &mut coefficients[first..first + count * hhj.mesh().cells()];
+        let all = &mut coefficients[first..first + count * hhj.mesh().cell_count()];
         for_chunks(all, CELLS * count, |batch, out| {
             let mut work = Work::new(hhj, batch);
             work.load(hhj, &self.skeleton, x);
@@ -115,8 +109,8 @@ impl Operator {
     }
 
     /// y += factor · the sum over the cells, for the unknowns of interior simplices.
-    fn collect<const N: usize>(&self, hhj: &Hhj<'_, N>, room: &[f64], y: &mut [f64], factor: f64) {
-        let (mesh, outer, cells) = (hhj.mesh(), outer(hhj), hhj.mesh().cells());
+    fn collect<const N: usize>(&self, hhj: &Hhj<N>, room: &[f64], y: &mut [f64], factor: f64) {
+        let (mesh, outer, cells) = (hhj.mesh(), outer(hhj), hhj.mesh().cell_count());
         for k in 0..N {
             let width = self.skeleton.widths[k];
             if width == 0 {
@@ -147,7 +141,7 @@ impl Operator {
 }
 
 /// A cell's unknowns that are not bubbles.
-fn outer<const N: usize>(hhj: &Hhj<'_, N>) -> usize {
+fn outer<const N: usize>(hhj: &Hhj<N>) -> usize {
     hhj.layout().len - hhj.layout().bubbles
 }
 
@@ -164,7 +158,7 @@ struct Work {
 }
 
 impl Work {
-    fn new<const N: usize>(hhj: &Hhj<'_, N>, batch: usize) -> Self {
+    fn new<const N: usize>(hhj: &Hhj<N>, batch: usize) -> Self {
         let begin = batch * CELLS;
         let shapes = hhj.shapes();
         let shapes = &shapes[begin..shapes.len().min(begin + CELLS)];
@@ -179,7 +173,7 @@ impl Work {
     }
 
     /// y = B̂ T x for the cells' part of a global x, without bubbles.
-    fn load<const N: usize>(&mut self, hhj: &Hhj<'_, N>, skeleton: &Skeleton, global: &[f64]) {
+    fn load<const N: usize>(&mut self, hhj: &Hhj<N>, skeleton: &Skeleton, global: &[f64]) {
         let (element, lanes) = (hhj.element(), self.batch.lanes);
         for lane in 0..lanes {
             let cell = self.begin + lane;
@@ -203,7 +197,7 @@ impl Work {
     /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y), which are returned; `f` by places.
     fn bend<const N: usize>(
         &mut self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         operator: &Operator,
         f: &dyn Fn(usize) -> f64,
     ) -> Vec<f64> {
@@ -250,7 +244,7 @@ impl Work {
     }
 
     /// Tᵀ B̂ᵀ z without the bubbles' rows.
-    fn unload<const N: usize>(&mut self, hhj: &Hhj<'_, N>, out: &mut [f64]) {
+    fn unload<const N: usize>(&mut self, hhj: &Hhj<N>, out: &mut [f64]) {
         let (element, lanes) = (hhj.element(), self.batch.lanes);
         multiply(&mut self.x, &self.z, lanes, as_mat(&element.pairing));
         self.batch.shift_back(element, &mut self.x);

@@ -22,7 +22,7 @@ pub(super) struct Skeleton {
 }
 
 impl Skeleton {
-    pub fn new<const N: usize>(hhj: &Hhj<'_, N>) -> Self {
+    pub fn new<const N: usize>(hhj: &Hhj<N>) -> Self {
         let (mesh, p) = (hhj.mesh(), hhj.space().degree());
         let own: Vec<usize> = (0..=N).map(|k| binomial(p - 1, k)).collect();
         let numbering = Numbering::new(mesh, own.clone());
@@ -77,7 +77,7 @@ impl Skeleton {
     }
 
     /// The load of the unknowns: û has none.
-    pub fn gather<const N: usize>(&self, hhj: &Hhj<'_, N>, load: &[f64]) -> Vec<f64> {
+    pub fn gather<const N: usize>(&self, hhj: &Hhj<N>, load: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; self.len()];
         for k in 0..N {
             for simplex in hhj.mesh().interior(k) {
@@ -90,7 +90,7 @@ impl Skeleton {
     }
 
     /// Writes the unknowns to where a [`super::Deflection`] has them.
-    pub fn scatter<const N: usize>(&self, hhj: &Hhj<'_, N>, x: &[f64], coefficients: &mut [f64]) {
+    pub fn scatter<const N: usize>(&self, hhj: &Hhj<N>, x: &[f64], coefficients: &mut [f64]) {
         for k in 0..N {
             for simplex in hhj.mesh().interior(k) {
                 for i in 0..self.widths[k] {

@@ -94,7 +94,7 @@ fn neighbours<const N: usize>(
     unknowns: &Unknowns,
 ) -> Vec<Vec<(u32, u32)>> {
     let mut above = vec![Vec::new(); unknowns.blocks()];
-    for cell in 0..mesh.cells() {
+    for cell in 0..mesh.cell_count() {
         let blocks: Vec<usize> = unknowns.of_cell(mesh, layout, cell).map(|b| b.0).collect();
         for &column in &blocks {
             above[column].extend(

@@ -48,12 +48,7 @@ struct Frame<const N: usize> {
 }
 
 impl<const N: usize> Transfer<N> {
-    pub fn new(
-        hhj: &Hhj<'_, N>,
-        skeleton: &Skeleton,
-        lattice: Lattice<N>,
-        refinement: usize,
-    ) -> Self {
+    pub fn new(hhj: &Hhj<N>, skeleton: &Skeleton, lattice: Lattice<N>, refinement: usize) -> Self {
         let p = hhj.space().degree();
         Self {
             refinement,
@@ -75,7 +70,7 @@ impl<const N: usize> Transfer<N> {
     /// Layers of simplices that are far apart touch different coefficients and are taken at the same time.
     pub fn restrict(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         skeleton: &Skeleton,
         r: &[f64],
         factor: f64,
@@ -102,7 +97,7 @@ impl<const N: usize> Transfer<N> {
     /// Coefficient i is at i + shift.0 − shift.1 in the chunk.
     fn restrict_layer(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         skeleton: &Skeleton,
         r: &[f64],
         factor: f64,
@@ -131,7 +126,7 @@ impl<const N: usize> Transfer<N> {
     /// z += factor · P s.
     pub fn prolong(
         &self,
-        hhj: &Hhj<'_, N>,
+        hhj: &Hhj<N>,
         skeleton: &Skeleton,
         spline: &[Short],
         factor: f64,
@@ -161,7 +156,7 @@ impl<const N: usize> Transfer<N> {
         }
     }
 
-    fn frame(&self, hhj: &Hhj<'_, N>, k: usize, simplex: usize) -> Frame<N> {
+    fn frame(&self, hhj: &Hhj<N>, k: usize, simplex: usize) -> Frame<N> {
         let points = hhj.mesh().points().unwrap_or_default();
         let vertices = hhj.mesh().vertices(k, simplex);
         let normal = if k + 1 == N {
@@ -280,7 +275,7 @@ fn fit(basis: &Bernstein, points: &Points) -> DMatrix<f64> {
 }
 
 /// The first k-simplex of each layer, and the number of all before the one beyond the last.
-fn layers<const N: usize>(hhj: &Hhj<'_, N>, k: usize, side: usize) -> Vec<usize> {
+fn layers<const N: usize>(hhj: &Hhj<N>, k: usize, side: usize) -> Vec<usize> {
     let mesh = hhj.mesh();
     let plane = (side + 1).pow(N as u32 - 1);
     let mut layers = vec![0; side + 1];

@@ -1,8 +1,8 @@
 //! Random tensors at a point, by proptest: what fails shrinks towards g = δ and other tensors that vanish.
 
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
-use regge::jet::Jet2;
-use regge::linalg::{Mat, Vector, symmetric};
+use regge_curvature::jet::Jet2;
+use regge_curvature::linalg::{Mat, Vector, symmetric};
 use std::cell::Cell;
 
 /// Some hundred roundings of numbers of size 10: eigenvalues of g lie between 0.2 and 1.8.

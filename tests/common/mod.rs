@@ -2,26 +2,25 @@
 #![allow(dead_code, reason = "each program uses a part")]
 
 pub mod draw;
-pub mod oracle;
 
-use regge::mesh::{Mesh, SplitMix64};
-use regge::regge::{ReggeFunction, ReggeSpace};
-use regge::simplex::{multi_indices, subsets};
+use regge_curvature::mesh::{Mesh, SplitMix64};
+use regge_curvature::simplex::{multi_indices, subsets};
+use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 
 /// A Regge function near the metric that makes each edge as long as it is in ℝ^N, or 1 on an abstract mesh: every
 /// coefficient times 1 + `noise` · (uniform in [−1, 1)). With `noise` ≥ 1 it is a variation rather than a metric.
-pub fn random_regge<'s, const N: usize>(
-    space: &'s ReggeSpace<'s, N>,
+pub fn random_regge<const N: usize>(
+    space: &ReggeSpace<N>,
     noise: f64,
     seed: u64,
-) -> ReggeFunction<'s, f64, N> {
+) -> ReggeFunction<f64, N> {
     let mesh = space.mesh();
     let mut random = SplitMix64::new(seed);
     let factors: Vec<f64> = (0..space.len())
         .map(|_| 1.0 + noise * random.symmetric())
         .collect();
     let mut coefficients = vec![0.0; space.len()];
-    for cell in 0..mesh.cells() {
+    for cell in 0..mesh.cell_count() {
         for (e, edge) in subsets(N + 1, 2).iter().enumerate() {
             let square = match (mesh.corner(cell, edge[0]), mesh.corner(cell, edge[1])) {
                 (Some(a), Some(b)) => (a - b).norm_squared(),
@@ -52,7 +51,7 @@ pub fn bulging_cube<const N: usize>(side: usize, seed: u64) -> Mesh<N> {
     let mesh = crooked_cube::<N>(side, seed);
     let points = mesh.points().expect("a cube has coordinates").iter();
     let bulged = points.map(|x| x * (1.0 - 0.1 * x.norm_squared())).collect();
-    let cells: Vec<Vec<usize>> = (0..mesh.cells())
+    let cells: Vec<Vec<usize>> = (0..mesh.cell_count())
         .map(|cell| mesh.vertices(N, cell).iter().map(|&v| v as usize).collect())
         .collect();
     Mesh::new(bulged, &cells).expect("rays from the centre are kept")

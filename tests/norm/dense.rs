@@ -3,12 +3,12 @@
 
 use super::plate::Volume;
 use nalgebra::{DMatrix, DVector};
-use regge::lagrange::Lagrange;
-use regge::linalg::{Mat, Vector};
-use regge::mesh::Mesh;
-use regge::norm::HMinus2Norm;
-use regge::quadrature::Rule;
-use regge::simplex::{Bernstein, factorial, multi_indices, subsets};
+use regge_curvature::linalg::{Mat, Vector};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::norm::HMinus2Norm;
+use regge_curvature::quadrature::Rule;
+use regge_curvature::simplex::{Bernstein, factorial, multi_indices, subsets};
+use regge_curvature::spaces::Lagrange;
 
 /// B_α of one degree with Cartesian gradients and Hessians, by B_α' = p Σ_v ∇λ_v B_{α−e_v}.
 struct Polynomials<const N: usize> {
@@ -91,11 +91,11 @@ fn assemble<const N: usize>(mesh: &Mesh<N>, space: &Lagrange<N>) -> System<N> {
     let per_cell = moments.len() * pairs::<N>().len();
     let faces: Vec<usize> = mesh.interior_faces().collect();
     let mut system = System {
-        mass: DMatrix::zeros(per_cell * mesh.cells(), per_cell * mesh.cells()),
-        pairing: DMatrix::zeros(per_cell * mesh.cells(), space.len()),
-        jumps: DMatrix::zeros(per_cell * mesh.cells(), slopes * faces.len()),
+        mass: DMatrix::zeros(per_cell * mesh.cell_count(), per_cell * mesh.cell_count()),
+        pairing: DMatrix::zeros(per_cell * mesh.cell_count(), space.len()),
+        jumps: DMatrix::zeros(per_cell * mesh.cell_count(), slopes * faces.len()),
     };
-    for cell in 0..mesh.cells() {
+    for cell in 0..mesh.cell_count() {
         let polynomials = Polynomials::new(mesh, cell, p);
         inside(mesh, space, cell, &polynomials, &moments, &mut system);
         for place in 0..=N {
@@ -244,12 +244,12 @@ pub fn solve<const N: usize>(
     for (i, &dof) in free.iter().enumerate() {
         u[dof] = x[m + i];
     }
-    let [u_l2, u_h1] = norms_of(&space, &u);
+    let [u_l2, grad_l2] = norms_of(&space, &u);
     (
         u,
         HMinus2Norm {
             u_l2,
-            u_h1,
+            grad_l2,
             sigma_l2: sigma.dot(&(&mass * sigma)).sqrt(),
         },
     )
@@ -259,7 +259,7 @@ pub fn solve<const N: usize>(
 fn norms_of<const N: usize>(space: &Lagrange<N>, u: &[f64]) -> [f64; 2] {
     let rule = Rule::new(N, 2 * space.degree());
     let (mut l2, mut h1) = (0.0, 0.0);
-    for cell in 0..space.mesh().cells() {
+    for cell in 0..space.mesh().cell_count() {
         let polynomials = Polynomials::new(space.mesh(), cell, space.degree());
         let volume = space.mesh().jacobian(cell).unwrap().volume();
         for q in 0..rule.len() {

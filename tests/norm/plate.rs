@@ -1,11 +1,11 @@
 //! The clamped plate u = Π(1−x_i²)² on (−1, 1)^N, with load vectors and errors.
 
-use regge::lagrange::Lagrange;
-use regge::linalg::{Mat, Vector};
-use regge::mesh::Mesh;
-use regge::norm::{Deflection, HMinus2};
-use regge::quadrature::Rule;
-use regge::simplex::Bernstein;
+use regge_curvature::linalg::{Mat, Vector};
+use regge_curvature::mesh::Mesh;
+use regge_curvature::norm::{Deflection, HMinus2};
+use regge_curvature::quadrature::Rule;
+use regge_curvature::simplex::Bernstein;
+use regge_curvature::spaces::Lagrange;
 
 /// (1−x²)² and its derivatives.
 fn factor(x: f64) -> [f64; 5] {
@@ -60,7 +60,7 @@ pub fn load_of<const N: usize>(space: &Lagrange<N>, f: fn(&Vector<f64, N>) -> f6
     let rule = Rule::new(N, 4 * N - 4 + space.degree());
     let basis = Bernstein::new(N + 1, space.degree()).tabulate::<f64>(rule.points());
     let mut load = vec![0.0; space.len()];
-    for cell in 0..space.mesh().cells() {
+    for cell in 0..space.mesh().cell_count() {
         let volume = space.mesh().jacobian(cell).unwrap().volume();
         for (alpha, dof) in space.cell_dofs(cell).enumerate() {
             for q in 0..rule.len() {
@@ -79,7 +79,7 @@ pub fn errors<const N: usize>(norm: &HMinus2<N>, solution: &Deflection) -> [f64;
     let rule = Rule::new(N, 2 * space.degree() + 6);
     let basis = Bernstein::new(N + 1, space.degree()).tabulate::<f64>(rule.points());
     let (mut errors, mut sizes) = ([0.0; 2], [0.0; 2]);
-    for cell in 0..mesh.cells() {
+    for cell in 0..mesh.cell_count() {
         let volume = mesh.jacobian(cell).unwrap().volume();
         let u: Vec<f64> = space
             .cell_dofs(cell)

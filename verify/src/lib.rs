@@ -1,9 +1,14 @@
-//! Behind the command line `regge`: input files, curvature of what they hold, pictures.
+//! The sceptic's half of `regge`: the catalogue of claims.
 //!
-//! The claims are in `regge-catalogue`, the studies in `regge-study`.
+//! [`run()`] checks every claim and yields a [`Report`](report::Report). See [`claims`] for how to add one.
 
-pub mod curvature;
-pub mod input;
-pub mod map;
-pub mod plot;
-pub mod vtu;
+pub mod claim;
+pub mod claims;
+pub mod errata;
+pub mod exact;
+pub mod exact_rule;
+pub mod instance;
+pub mod report;
+mod run;
+
+pub use run::{Options, Progress, UnknownLabel, run, run_catalogue};

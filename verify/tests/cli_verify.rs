@@ -1,12 +1,11 @@
 //! `regge verify` as a program.
-#![cfg(feature = "catalogue")]
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn regge(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_regge"))
+    Command::new(env!("CARGO_BIN_EXE_regge-verify"))
         .arg("verify")
         .args(arguments)
         .output()

@@ -2,9 +2,10 @@
 
 use super::Named;
 use super::printed_rules::printed_rule;
-use regge::Error;
-use regge::regge::{Interpolant, Projection, ReggeFunction, ReggeSpace, geodesic_interpolant};
-use regge::smooth::{Smooth, SmoothTensor};
+use regge_curvature::Error;
+use regge_curvature::interpolate::{Interpolant, Projection, geodesic_interpolant};
+use regge_curvature::metrics::{Smooth, SmoothTensor};
+use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 
 /// How g_h is made from g.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,12 +64,12 @@ impl Interpolation {
     ///
     /// # Errors
     /// If g or g_h is not positive definite (names cell and point), or an edge has no geodesic (names the edge).
-    pub fn apply<'s, M: SmoothTensor<N>, const N: usize>(
+    pub fn apply<M: SmoothTensor<N>, const N: usize>(
         self,
-        space: &'s ReggeSpace<'s, N>,
-        g: &Smooth<'_, M, N>,
+        space: &ReggeSpace<N>,
+        g: &Smooth<M, N>,
         projection: ProjectionKind,
-    ) -> Result<ReggeFunction<'s, f64, N>, Error> {
+    ) -> Result<ReggeFunction<f64, N>, Error> {
         let degree = space.degree();
         let interpolant = match self {
             // As many points as the exact projection has.

@@ -27,8 +27,8 @@ pub use rules::{
 };
 pub use run::{Event, Failure, Phase, mesh, mesh_seed};
 
-use regge::Error;
-use regge::metrics::Metric;
+use regge_curvature::Error;
+use regge_curvature::metrics::Metric;
 
 /// One mesh with one polynomial degree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Things that the command line and the reports know by name.
 
-use regge::metrics::Metric;
+use regge_curvature::metrics::Metric;
 
 /// One of a fixed list of things, each with a name.
 pub trait Named: Copy + PartialEq + Send + Sync + 'static {

@@ -5,7 +5,7 @@
 //! `tab:error_N2`, `tab:error_N3`.
 
 use crate::{Interpolation, Quantity, observed_order};
-use regge::metrics::Metric;
+use regge_curvature::metrics::Metric;
 
 /// One curve of a figure of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! The quadrature rules behind the printed tables.
 
-use regge::Error;
-use regge::quadrature::Rule;
-use regge::simplex::Points;
+use regge_curvature::Error;
+use regge_curvature::quadrature::Rule;
+use regge_curvature::simplex::Points;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 

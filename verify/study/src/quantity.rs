@@ -1,11 +1,13 @@
 //! The functionals v ↦ f(v) whose H⁻² norms are studied.
 
 use super::Named;
-use regge::field::{Combination, TensorField};
-use regge::functional::{Rules, Sums, a_h, b_h, distributional_curvature, smooth_curvature};
-use regge::lagrange::Lagrange;
-use regge::quadrature::{Rule, gauss_legendre};
-use regge::scalar::Lanes;
+use regge_curvature::field::{Combination, TensorField};
+use regge_curvature::functional::{
+    Rules, Sums, a_h, b_h, distributional_curvature, smooth_curvature,
+};
+use regge_curvature::quadrature::{Rule, gauss_legendre};
+use regge_curvature::scalar::Lanes;
+use regge_curvature::spaces::Lagrange;
 
 /// A functional of g and g_h. With g̃(t) = (1−t) g + t g_h and σ = g_h − g the error is ∫₀¹ b_h − a_h dt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +47,7 @@ impl Quantity {
         self,
         g: &G,
         g_h: &H,
-        space: &Lagrange<'_, N>,
+        space: &Lagrange<N>,
         rules: &Rules,
     ) -> Vec<f64>
     where
@@ -54,7 +56,7 @@ impl Quantity {
     {
         match self {
             Self::CurvatureError => {
-                let smooth = smooth_curvature::<Lanes, N, G>(g, space, &rules.element);
+                let smooth = smooth_curvature::<Lanes, N, G>(g, space, &rules.cells);
                 let mut load = distributional_curvature::<Lanes, N, H>(g_h, space, rules).total();
                 add(&mut load, -1.0, &smooth);
                 load
@@ -73,24 +75,24 @@ impl Quantity {
 
     /// The rules of the sums that are looked at; one point a simplex for the others.
     fn rules_of_a(self, rules: &Rules) -> Rules {
-        let [element, face, hinge] = [&rules.element, &rules.face, &rules.hinge];
+        let [element, face, hinge] = [&rules.cells, &rules.faces, &rules.hinges];
         let chosen = |used: bool, rule: &Rule| match used {
             true => rule.clone(),
             false => Rule::new(rule.points().vertices() - 1, 0),
         };
         Rules {
-            element: chosen(matches!(self, Self::ATerm | Self::EinsteinTerm), element),
-            face: chosen(matches!(self, Self::ATerm | Self::SecondFormTerm), face),
-            hinge: chosen(matches!(self, Self::ATerm | Self::CriticalTerm), hinge),
+            cells: chosen(matches!(self, Self::ATerm | Self::EinsteinTerm), element),
+            faces: chosen(matches!(self, Self::ATerm | Self::SecondFormTerm), face),
+            hinges: chosen(matches!(self, Self::ATerm | Self::CriticalTerm), hinge),
         }
     }
 
     /// What is looked at; the critical term enters a_h with a minus sign.
     fn part_of_a(self, sums: Sums<f64>) -> Vec<f64> {
         match self {
-            Self::EinsteinTerm => sums.element,
-            Self::SecondFormTerm => sums.face,
-            Self::CriticalTerm => sums.hinge.into_iter().map(|x| -x).collect(),
+            Self::EinsteinTerm => sums.cells,
+            Self::SecondFormTerm => sums.faces,
+            Self::CriticalTerm => sums.hinges.into_iter().map(|x| -x).collect(),
             _ => sums.total(),
         }
     }
@@ -109,7 +111,7 @@ type Segment<'a, G, H> = Combination<&'a G, &'a H, Lanes>;
 fn along_segment<'a, const N: usize, G, H>(
     g: &'a G,
     g_h: &'a H,
-    space: &Lagrange<'_, N>,
+    space: &Lagrange<N>,
     f: impl Fn(&Segment<'a, G, H>, &Segment<'a, G, H>) -> Vec<f64>,
 ) -> Vec<f64>
 where

@@ -2,9 +2,9 @@
 
 use super::Case;
 use super::printed_rules::printed_rule;
-use regge::Error;
-use regge::functional::Rules;
-use regge::quadrature::Rule;
+use regge_curvature::Error;
+use regge_curvature::functional::Rules;
+use regge_curvature::quadrature::Rule;
 use serde::{Deserialize, Serialize};
 
 /// By which rules a study integrates.
@@ -143,9 +143,9 @@ impl Quadrature {
         let load = match self.load {
             LoadQuadrature::Converged | LoadQuadrature::Order(_) => Rules::new::<N>(order),
             LoadQuadrature::AsPrinted => Rules {
-                element: printed_rule(N, order)?,
-                face: printed_rule(N - 1, order)?,
-                hinge: printed_rule(N - 2, order)?,
+                cells: printed_rule(N, order)?,
+                faces: printed_rule(N - 1, order)?,
+                hinges: printed_rule(N - 2, order)?,
             },
         };
         let norm = self

@@ -2,11 +2,11 @@
 
 use super::{Case, Interpolation, Named, Row, Study, StudyRules};
 use crate::printed;
-use regge::Error;
-use regge::mesh::{Mesh, SplitMix64};
-use regge::norm::{HMinus2, Step};
-use regge::regge::ReggeSpace;
-use regge::smooth::Smooth;
+use regge_curvature::Error;
+use regge_curvature::mesh::{Mesh, SplitMix64};
+use regge_curvature::metrics::Smooth;
+use regge_curvature::norm::{HMinus2, Step};
+use regge_curvature::spaces::ReggeSpace;
 use std::fmt;
 use std::time::Instant;
 
@@ -172,7 +172,7 @@ impl Study {
         &self,
         case: Case,
         interpolant: Interpolation,
-        norm: &HMinus2<'_, N>,
+        norm: &HMinus2<N>,
         rules: &StudyRules,
         row: &mut Row,
         observe: &mut dyn FnMut(Event<'_>),
@@ -197,7 +197,7 @@ impl Study {
         &self,
         case: Case,
         interpolant: Interpolation,
-        norm: &HMinus2<'_, N>,
+        norm: &HMinus2<N>,
         rules: &StudyRules,
         observe: &mut dyn FnMut(Event<'_>),
     ) -> Result<Vec<f64>, Error> {
@@ -215,7 +215,7 @@ impl Study {
         &self,
         case: Case,
         interpolant: Interpolation,
-        norm: &HMinus2<'_, N>,
+        norm: &HMinus2<N>,
     ) -> Row {
         let mesh = norm.space().mesh();
         Row {
@@ -224,7 +224,7 @@ impl Study {
             level: case.level,
             interpolant: interpolant.name_of().into(),
             seed: mesh_seed(self.seed, case.level),
-            cells: mesh.cells(),
+            cells: mesh.cell_count(),
             ndof: ReggeSpace::new(mesh, case.degree).len(),
             mesh_size: mesh.mesh_size(),
             error: f64::NAN,

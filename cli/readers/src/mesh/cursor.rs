@@ -1,0 +1,193 @@
+//! A place in a Gmsh file, from which lines, numbers and bytes are read.
+
+use crate::error::{Fault, Place};
+
+/// How the numbers of a file are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// As text.
+    Ascii,
+    /// As bytes, the least significant first or last.
+    Binary {
+        /// The most significant first?
+        big_endian: bool,
+    },
+}
+
+/// What is left of a file. Every read fails where the file ends.
+pub struct Cursor<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u64,
+    /// How numbers are written.
+    pub encoding: Encoding,
+}
+
+impl<'a> Cursor<'a> {
+    /// The beginning of a file; text until told otherwise.
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Self {
+            bytes,
+            at: 0,
+            line: 1,
+            encoding: Encoding::Ascii,
+        }
+    }
+
+    /// Where we are.
+    pub fn place(&self) -> Place {
+        match self.encoding {
+            Encoding::Ascii => Place::Line(self.line),
+            Encoding::Binary { .. } => Place::Byte(self.at as u64),
+        }
+    }
+
+    /// A fault here.
+    pub fn fault(&self, reason: impl Into<String>) -> Fault {
+        Fault::new(self.place(), reason)
+    }
+
+    /// Nothing left but white space?
+    pub fn is_at_end(&self) -> bool {
+        self.bytes[self.at..].iter().all(u8::is_ascii_whitespace)
+    }
+
+    /// How many bytes are left: no more things than that can follow.
+    pub fn left(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
+    fn skip_space(&mut self) {
+        while let Some(byte) = self.bytes.get(self.at).filter(|b| b.is_ascii_whitespace()) {
+            self.line += u64::from(*byte == b'\n');
+            self.at += 1;
+        }
+    }
+
+    /// To the next number, so that its line is known; bytes are where they are.
+    pub fn align(&mut self) {
+        if self.encoding == Encoding::Ascii {
+            self.skip_space();
+        }
+    }
+
+    /// Behind the next occurrence of a mark, if there is one.
+    pub fn skip_past(&mut self, mark: &[u8]) -> bool {
+        let rest = &self.bytes[self.at..];
+        let Some(found) = rest.windows(mark.len()).position(|w| w == mark) else {
+            return false;
+        };
+        let passed = &rest[..found + mark.len()];
+        self.line += passed.iter().filter(|b| **b == b'\n').count() as u64;
+        self.at += passed.len();
+        true
+    }
+
+    /// The next word, whatever the encoding.
+    pub fn word(&mut self) -> Result<&'a str, Fault> {
+        self.skip_space();
+        let rest = &self.bytes[self.at..];
+        let end = rest.iter().position(u8::is_ascii_whitespace);
+        let word = &rest[..end.unwrap_or(rest.len())];
+        if word.is_empty() {
+            return Err(self.fault("the file ends too early: it may be truncated"));
+        }
+        let word = std::str::from_utf8(&word[..word.len().min(64)])
+            .map_err(|_| self.fault("bytes where text is expected"))?;
+        self.at += end.unwrap_or(rest.len());
+        Ok(word)
+    }
+
+    /// What is left of this line, its end included.
+    pub fn finish_line(&mut self) {
+        let rest = &self.bytes[self.at..];
+        let end = rest.iter().position(|b| *b == b'\n');
+        self.line += u64::from(end.is_some());
+        self.at += end.map_or(rest.len(), |end| end + 1);
+    }
+
+    /// The number that the next word spells.
+    pub fn spelled<T: std::str::FromStr>(&mut self, what: &str) -> Result<T, Fault> {
+        self.skip_space();
+        let (place, word) = (self.place(), self.word()?);
+        let reason = || format!("'{word}' where {what} is expected");
+        word.parse().map_err(|_| Fault::new(place, reason()))
+    }
+
+    /// Text in double quotes, on one line.
+    pub fn quoted(&mut self) -> Result<String, Fault> {
+        self.skip_space();
+        let rest = &self.bytes[self.at..];
+        let line = rest.split(|b| *b == b'\n').next().unwrap_or_default();
+        let inside = line.strip_prefix(b"\"").unwrap_or_default();
+        let Some(end) = inside.iter().position(|b| *b == b'"') else {
+            return Err(self.fault("a name in double quotes is expected"));
+        };
+        self.at += end + 2;
+        Ok(String::from_utf8_lossy(&inside[..end]).into_owned())
+    }
+
+    fn raw<const B: usize>(&mut self) -> Result<[u8; B], Fault> {
+        let bytes = self.bytes.get(self.at..self.at + B);
+        let Some(bytes) = bytes.and_then(|bytes| bytes.try_into().ok()) else {
+            return Err(self.fault("the file ends too early: it may be truncated"));
+        };
+        self.at += B;
+        Ok(bytes)
+    }
+
+    /// A 32-bit integer.
+    pub fn int(&mut self, what: &str) -> Result<i32, Fault> {
+        match self.encoding {
+            Encoding::Ascii => self.spelled(what),
+            Encoding::Binary { big_endian: true } => Ok(i32::from_be_bytes(self.raw()?)),
+            Encoding::Binary { .. } => Ok(i32::from_le_bytes(self.raw()?)),
+        }
+    }
+
+    /// A 64-bit count or tag.
+    pub fn size(&mut self, what: &str) -> Result<u64, Fault> {
+        match self.encoding {
+            Encoding::Ascii => self.spelled(what),
+            Encoding::Binary { big_endian: true } => Ok(u64::from_be_bytes(self.raw()?)),
+            Encoding::Binary { .. } => Ok(u64::from_le_bytes(self.raw()?)),
+        }
+    }
+
+    /// A coordinate: a finite number.
+    pub fn coordinate(&mut self) -> Result<f64, Fault> {
+        let place = self.place();
+        let value = match self.encoding {
+            Encoding::Ascii => self.spelled("a coordinate")?,
+            Encoding::Binary { big_endian: true } => f64::from_be_bytes(self.raw()?),
+            Encoding::Binary { .. } => f64::from_le_bytes(self.raw()?),
+        };
+        match f64::is_finite(value) {
+            true => Ok(value),
+            false => {
+                let place = if self.encoding == Encoding::Ascii {
+                    self.place()
+                } else {
+                    place
+                };
+                Err(Fault::new(place, format!("a coordinate is {value}")))
+            }
+        }
+    }
+
+    /// A count of things that take a byte each at the least; more than are left cannot follow.
+    pub fn count(&mut self, what: &str) -> Result<usize, Fault> {
+        let place = self.place();
+        let count = self.size(what)?;
+        match usize::try_from(count)
+            .ok()
+            .filter(|count| *count <= self.left())
+        {
+            Some(count) => Ok(count),
+            None => Err(Fault::new(
+                place,
+                format!("{what} is {count}, more than the file can hold"),
+            )),
+        }
+    }
+}

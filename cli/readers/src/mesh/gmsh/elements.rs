@@ -1,0 +1,170 @@
+//! $Elements: the simplices of each dimension, flat, with their places and physical tags.
+
+use super::super::cursor::{Cursor, Encoding};
+use super::super::kinds::Kind;
+use super::nodes::{Nodes, tag};
+use super::{Reader, element};
+use crate::error::{Fault, Place};
+
+/// The simplices of one dimension.
+pub struct Simplices {
+    width: usize,
+    nodes: Vec<u64>,
+    /// Where each stands.
+    pub places: Vec<Place>,
+    /// What tells its physical groups: 2.2 the group itself, 4.1 the entity.
+    pub tags: Vec<i32>,
+}
+
+impl Simplices {
+    /// None yet, with so many nodes each.
+    pub fn new(width: usize) -> Self {
+        Self {
+            width,
+            nodes: Vec::new(),
+            places: Vec::new(),
+            tags: Vec::new(),
+        }
+    }
+
+    /// How many.
+    pub fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// None?
+    pub fn is_empty(&self) -> bool {
+        self.places.is_empty()
+    }
+
+    fn nodes(&self, i: usize) -> &[u64] {
+        &self.nodes[i * self.width..(i + 1) * self.width]
+    }
+
+    /// The vertices of one, by their index.
+    pub fn vertices(&self, i: usize, nodes: &Nodes) -> Result<Vec<usize>, Fault> {
+        let mut list = Vec::with_capacity(self.width);
+        for &tag in self.nodes(i) {
+            match nodes.index(tag) {
+                Some(index) => list.push(index as usize),
+                None => {
+                    let reason = format!("node {tag} does not exist");
+                    return Err(Fault::new(self.places[i], reason));
+                }
+            }
+        }
+        Ok(list)
+    }
+}
+
+impl Reader {
+    /// Version 2.2. Text: one element a line. Binary: blocks of elements with one header.
+    pub(super) fn elements_2(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        let total: u64 = cursor.spelled("the number of elements")?;
+        cursor.finish_line();
+        let ascii = cursor.encoding == Encoding::Ascii;
+        let mut done = 0;
+        while done < total {
+            cursor.align();
+            if ascii {
+                cursor.int("an element's number")?;
+            }
+            let kind = element(cursor)?;
+            let block = match ascii {
+                true => 1,
+                false => cursor.int("a number of elements")?.max(1),
+            };
+            let tags = cursor.int("a number of tags")?;
+            for _ in 0..block {
+                let place = cursor.place();
+                if !ascii {
+                    cursor.int("an element's number")?;
+                }
+                let mut physical = 0;
+                for i in 0..tags {
+                    let tag = cursor.int("a tag")?;
+                    if i == 0 {
+                        physical = tag;
+                    }
+                }
+                self.element(cursor, place, kind, physical, tag)?;
+            }
+            done += u64::from(block.unsigned_abs());
+        }
+        Ok(())
+    }
+
+    /// Version 4.1: blocks of elements of one entity.
+    pub(super) fn elements_4(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        cursor.finish_line();
+        let blocks = cursor.size("the number of blocks")?;
+        for what in ["the number of elements", "the least tag", "the largest tag"] {
+            cursor.size(what)?;
+        }
+        for _ in 0..blocks {
+            cursor.int("a block's dimension")?;
+            let entity = cursor.int("a block's tag")?;
+            let kind = element(cursor)?;
+            let count = cursor.count("the number of elements of a block")?;
+            for _ in 0..count {
+                cursor.align();
+                let place = cursor.place();
+                cursor.size("an element's tag")?;
+                self.element(cursor, place, kind, entity, |cursor, what| {
+                    cursor.size(what)
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The nodes of one element.
+    fn element(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        place: Place,
+        kind: Kind,
+        tag: i32,
+        node: fn(&mut Cursor<'_>, &str) -> Result<u64, Fault>,
+    ) -> Result<(), Fault> {
+        let kept = kind.dimension();
+        for _ in 0..kind.nodes() {
+            let node = node(cursor, "a node of the element")?;
+            if let Some(k) = kept {
+                self.simplices[k].nodes.push(node);
+            }
+        }
+        if let Some(k) = kept {
+            self.simplices[k].places.push(place);
+            self.simplices[k].tags.push(tag);
+        }
+        Ok(())
+    }
+}
+
+/// In a mesh of tetrahedra: a triangle that is not a face of one.
+pub fn lost_triangle(triangles: &Simplices, tetrahedra: &Simplices) -> Option<Place> {
+    if tetrahedra.is_empty() || triangles.is_empty() {
+        return None;
+    }
+    let mut faces: Vec<[u64; 3]> = Vec::with_capacity(4 * tetrahedra.len());
+    for i in 0..tetrahedra.len() {
+        let nodes = tetrahedra.nodes(i);
+        for out in 0..4 {
+            faces.push(sorted(|j| nodes[if j < out { j } else { j + 1 }]));
+        }
+    }
+    faces.sort_unstable();
+    (0..triangles.len())
+        .find(|&i| {
+            let face = sorted(|j| triangles.nodes(i)[j]);
+            faces.binary_search(&face).is_err()
+        })
+        .map(|i| triangles.places[i])
+}
+
+fn sorted(node: impl Fn(usize) -> u64) -> [u64; 3] {
+    let mut face = std::array::from_fn(node);
+    face.sort_unstable();
+    face
+}

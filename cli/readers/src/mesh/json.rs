@@ -1,0 +1,74 @@
+//! Our own JSON: `{"dimension": 4, "vertices": [[…], …], "cells": [[…], …]}`, without `vertices` an abstract manifold.
+
+use super::MeshFile;
+use crate::error::{Fault, Place};
+use serde::Deserialize;
+use std::path::PathBuf;
+
+/// The file as it stands.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Raw {
+    dimension: usize,
+    vertices: Option<Vec<Vec<f64>>>,
+    cells: Vec<Vec<usize>>,
+}
+
+/// The mesh in a file, whose name is added by the caller.
+pub fn parse(bytes: &[u8]) -> Result<MeshFile, Fault> {
+    let raw: Raw = serde_json::from_slice(bytes)
+        .map_err(|error| Fault::new(Place::Line(error.line() as u64), error.to_string()))?;
+    let n = raw.dimension;
+    for (cell, list) in raw.cells.iter().enumerate() {
+        if n.checked_add(1) != Some(list.len()) {
+            let reason = format!(
+                "cell {cell} has {} vertices, a {n}-simplex has one more than {n}",
+                list.len()
+            );
+            return Err(Fault::new(Place::Whole, reason));
+        }
+    }
+    let (vertices, coordinates) = match raw.vertices {
+        Some(points) => (points.len(), coordinates(&points, n)?),
+        None => (largest(&raw.cells)?, Vec::new()),
+    };
+    Ok(MeshFile {
+        file: PathBuf::new(),
+        dimension: n,
+        vertices,
+        coordinates,
+        width: n,
+        groups: Vec::new(),
+        vertex_places: Vec::new(),
+        cell_places: Vec::new(),
+        cells: raw.cells,
+    })
+}
+
+fn coordinates(points: &[Vec<f64>], n: usize) -> Result<Vec<f64>, Fault> {
+    if let Some((vertex, point)) = points.iter().enumerate().find(|(_, p)| p.len() != n) {
+        let reason = format!(
+            "vertex {vertex} has {} coordinates, dimension is {n}",
+            point.len()
+        );
+        return Err(Fault::new(Place::Whole, reason));
+    }
+    Ok(points.concat())
+}
+
+/// One more than the largest vertex; the cells must be able to use so many.
+fn largest(cells: &[Vec<usize>]) -> Result<usize, Fault> {
+    for (cell, list) in cells.iter().enumerate() {
+        let Some(vertex) = list.iter().max() else {
+            continue;
+        };
+        let most: usize = cells.len().saturating_mul(list.len());
+        if *vertex >= most {
+            let reason = format!(
+                "cell {cell} names vertex {vertex}, but the cells can use {most} vertices only"
+            );
+            return Err(Fault::new(Place::Whole, reason));
+        }
+    }
+    Ok(cells.iter().flatten().max().map_or(0, |v| v + 1))
+}

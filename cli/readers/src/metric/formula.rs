@@ -1,0 +1,96 @@
+//! The four ways to state a metric, as one smooth tensor.
+
+use super::super::expression::Expression;
+use super::MetricFile;
+use regge_curvature::jet::Jet1;
+use regge_curvature::linalg::{Mat, symmetric};
+use regge_curvature::mesh::SplitMix64;
+use regge_curvature::metrics::SmoothTensor;
+use regge_curvature::scalar::Real;
+
+/// How a metric is stated.
+#[derive(Clone, Debug)]
+pub enum Formula {
+    /// g_ij, row by row, symmetric.
+    Components(Vec<Vec<Expression>>),
+    /// The metric of the graph of f: I + ∇f ⊗ ∇f.
+    Graph(Expression),
+    /// c δ.
+    Conformal(Expression),
+    /// The metric that an immersion X into ℝ^M induces: ∂_i X · ∂_j X.
+    Embedding(Vec<Expression>),
+}
+
+/// The first pair of entries that are not the same function, as far as random points can tell, with a reason.
+pub(super) fn asymmetry(g: &[Vec<Expression>]) -> Option<(usize, usize, String)> {
+    for i in 0..g.len() {
+        for j in 0..i {
+            if g[i][j] != g[j][i] && differ(&g[i][j], &g[j][i], g.len()) {
+                let (row, column) = (i + 1, j + 1);
+                let reason = format!(
+                    "g is not symmetric: entries ({row}, {column}) and ({column}, {row}) differ"
+                );
+                return Some((i, j, reason));
+            }
+        }
+    }
+    None
+}
+
+/// Do two formulas differ by more than rounding at one of eight points of the cube (−1, 1)^N?
+fn differ(a: &Expression, b: &Expression, n: usize) -> bool {
+    let mut random = SplitMix64::new(1);
+    (0..8).any(|_| {
+        let x: Vec<f64> = (0..n).map(|_| random.symmetric()).collect();
+        let (a, b) = (a.at(&x), b.at(&x));
+        // Two ways to write one function agree to a few units in the last place, times its condition.
+        a.is_finite() && b.is_finite() && (a - b).abs() > 1e-9 * a.abs().max(b.abs()).max(1e-300)
+    })
+}
+
+/// A metric file seen in its dimension.
+#[derive(Clone, Copy, Debug)]
+pub struct FormulaMetric<'f> {
+    formula: &'f Formula,
+}
+
+impl MetricFile {
+    /// The metric; N must be the file's dimension.
+    pub fn metric(&self) -> FormulaMetric<'_> {
+        FormulaMetric {
+            formula: &self.formula,
+        }
+    }
+}
+
+impl<const N: usize> SmoothTensor<N> for FormulaMetric<'_> {
+    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
+        match self.formula {
+            Formula::Components(g) => symmetric(|i, j| g[i][j].at(x)),
+            Formula::Conformal(factor) => {
+                let factor = factor.at(x);
+                symmetric(|i, j| if i == j { factor } else { S::zero() })
+            }
+            Formula::Graph(f) => {
+                let d = gradient(f, x);
+                symmetric(|i, j| S::from_int(i64::from(i == j)) + d[i] * d[j])
+            }
+            Formula::Embedding(map) => {
+                let d: Vec<[S; N]> = map.iter().map(|f| gradient(f, x)).collect();
+                symmetric(|i, j| {
+                    let mut sum = S::zero();
+                    for d in &d {
+                        sum += d[i] * d[j];
+                    }
+                    sum
+                })
+            }
+        }
+    }
+}
+
+/// ∂_m f in S, by one more jet: its own derivatives, if S has any, are exact as well.
+fn gradient<S: Real, const N: usize>(f: &Expression, x: &[S; N]) -> [S; N] {
+    let x: [Jet1<S, N>; N] = std::array::from_fn(|m| Jet1::coordinate(x[m], m));
+    f.at(&x).d
+}

@@ -1,0 +1,103 @@
+//! The arguments that say which Regge metric: shared by the commands for meshes from files.
+
+use super::stop::Stop;
+use super::values::named;
+use regge_cli::curvature::{CurvatureError, Source};
+use regge_readers::InputError;
+use regge_readers::mesh::{MeshFile, read_mesh};
+use regge_readers::metric::read_metric;
+use regge_study::{Interpolation, LARGEST_DEGREE};
+use std::path::PathBuf;
+
+/// What is said of these arguments at the end of the help.
+pub const DETAILS: &str = "\
+Mesh: Gmsh 2.2 or 4.1 (text or binary; triangles or tetrahedra), or JSON:
+  {\"dimension\": 2, \"vertices\": [[0, 0], ...], \"cells\": [[0, 1, 2], ...]}
+  without \"vertices\" it is an abstract manifold, which edge lengths suffice for.
+
+Metric, a TOML file with the dimension and one of
+  g = [[\"1 + x^2\", \"x*y\"], [\"x*y\", \"1 + y^2\"]]
+  graph = \"x^2/2 - x^4/12\"          the metric of the graph of f
+  conformal = \"4/(1 + x^2 + y^2)^2\" the Euclidean one times this factor
+  embedding = [\"x\", \"y\", \"x*y\"]     the metric induced by this map
+in x, y, z or x1, x2, ...; exact_scalar_curvature = \"...\" may be added.
+
+Edge lengths: a CSV file with i,j,length for every edge, vertices counted from 0.";
+
+/// Which Regge metric.
+#[derive(clap::Args)]
+#[command(group(clap::ArgGroup::new("source").required(true).args(["metric", "lengths"])))]
+pub struct Given {
+    /// The mesh: Gmsh or JSON
+    #[arg(long, value_name = "FILE")]
+    pub mesh: PathBuf,
+    /// The smooth metric, by formulas
+    #[arg(long, value_name = "FILE.toml")]
+    metric: Option<PathBuf>,
+    /// The edge lengths: classical Regge calculus
+    #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["degree", "interpolant"])]
+    lengths: Option<PathBuf>,
+    /// Degree r of the Regge metric
+    #[arg(long, value_name = "R", default_value_t = 0)]
+    pub degree: usize,
+    /// How the Regge metric is made from the smooth one
+    #[arg(long, default_value = "canonical", value_parser = named::<Interpolation>())]
+    interpolant: Interpolation,
+    /// Order of quadrature [default: raised until the sums settle to 1e-8 of the largest]
+    #[arg(long, value_name = "ORDER", value_parser = clap::value_parser!(u64).range(0..=60))]
+    quadrature: Option<u64>,
+}
+
+impl Given {
+    /// What can be refused before any file is read.
+    pub fn check(&self) -> Result<(), Stop> {
+        if self.degree > LARGEST_DEGREE {
+            return Err(Stop::Usage(format!(
+                "degree {} is too high: {LARGEST_DEGREE} is the highest",
+                self.degree
+            )));
+        }
+        if self.degree > 0 && self.interpolant == Interpolation::Geodesic {
+            return Err(Stop::Usage(format!(
+                "the geodesic interpolant has degree 0, not {}",
+                self.degree
+            )));
+        }
+        Ok(())
+    }
+
+    /// The order of quadrature, if it is given.
+    pub fn quadrature(&self) -> Option<usize> {
+        self.quadrature.map(|order| order as usize)
+    }
+
+    /// Reads the mesh.
+    pub fn mesh(&self) -> Result<MeshFile, Stop> {
+        read_mesh(&self.mesh).map_err(refused)
+    }
+
+    /// Reads the metric, or tells where the lengths are.
+    pub fn source(&self) -> Result<Source, Stop> {
+        match (&self.metric, &self.lengths) {
+            (Some(metric), _) => {
+                let metric = read_metric(metric).map_err(refused)?;
+                Ok(Source::Metric(Box::new(metric), self.interpolant))
+            }
+            (None, Some(lengths)) => Ok(Source::Lengths(lengths.clone())),
+            (None, None) => Err(Stop::Usage("--metric or --lengths is needed".into())),
+        }
+    }
+}
+
+fn refused(error: InputError) -> Stop {
+    Stop::Input(error.to_string())
+}
+
+impl From<CurvatureError> for Stop {
+    fn from(error: CurvatureError) -> Self {
+        match error {
+            CurvatureError::Input(reason) => Self::Input(reason),
+            CurvatureError::Failed(reason) => Self::Failed(reason),
+        }
+    }
+}

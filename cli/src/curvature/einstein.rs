@@ -1,0 +1,95 @@
+//! The distributional Einstein tensor against the Regge functions that vanish on the boundary.
+
+use super::CurvatureError;
+use super::given::{Given, Phase, Source, Task, on_metric};
+use super::report::{About, Parts};
+use super::settle::settle_sums;
+use regge_curvature::functional::{Sums, einstein_against};
+use regge_curvature::scalar::Lanes;
+use regge_readers::mesh::MeshFile;
+use serde::Serialize;
+
+/// What `regge einstein` writes.
+#[derive(Clone, Debug, Serialize)]
+pub struct EinsteinReport {
+    /// Of what metric; r is also the degree of the functions that it is tested with.
+    #[serde(flatten)]
+    pub about: About,
+    /// The largest |⟨(Gω)_dist, ψ⟩|.
+    pub largest: f64,
+    /// The basis functions that vanish on the boundary.
+    pub functions: Vec<EinsteinSums>,
+}
+
+/// ⟨(Gω)_dist, ψ⟩ for one Regge basis function.
+#[derive(Clone, Debug, Serialize)]
+pub struct EinsteinSums {
+    /// The vertices of the simplex that carries ψ.
+    pub simplex: Vec<u32>,
+    /// Which of the functions on that simplex, from 0.
+    pub index: usize,
+    /// The sums.
+    #[serde(flatten)]
+    pub sums: Parts,
+}
+
+/// The distributional Einstein tensor of the Regge metric on the mesh.
+///
+/// # Errors
+/// Whether the input is to blame or the computation, and what is wrong where.
+pub fn einstein(
+    mesh: &MeshFile,
+    source: &Source,
+    degree: usize,
+    quadrature: Option<usize>,
+    phase: Phase<'_>,
+) -> Result<EinsteinReport, CurvatureError> {
+    if mesh.dimension < 3 {
+        return Err(CurvatureError::Input(format!(
+            "{}: the Einstein tensor vanishes in dimension 2: N = 3 or more is needed",
+            mesh.file.display()
+        )));
+    }
+    on_metric(mesh, source, degree, phase, &Einstein { quadrature, phase })
+}
+
+struct Einstein<'a> {
+    quadrature: Option<usize>,
+    phase: Phase<'a>,
+}
+
+impl Task for Einstein<'_> {
+    type Output = EinsteinReport;
+
+    fn run<const N: usize>(&self, given: &Given<'_, N>) -> Result<EinsteinReport, CurvatureError> {
+        (self.phase)("testing the Einstein tensor");
+        let (g_h, space) = (given.g_h, given.g_h.space());
+        // Where the metric is constant, everything is constant on the hinges.
+        let sums = settle_sums(g_h, self.quadrature, 1, |rules| {
+            einstein_against::<Lanes, N, _>(g_h, space, rules)
+        })?;
+        let functions = functions(given, &sums.value);
+        let sizes = functions.iter().map(|f| f.sums.total.abs());
+        Ok(EinsteinReport {
+            about: About::of(given, &sums),
+            largest: sizes.fold(0.0, f64::max),
+            functions,
+        })
+    }
+}
+
+/// The functions whose simplex is not in the boundary.
+fn functions<const N: usize>(given: &Given<'_, N>, sums: &Sums<f64>) -> Vec<EinsteinSums> {
+    let (space, mesh) = (given.g_h.space(), given.g_h.space().mesh());
+    let numbering = space.numbering();
+    let of = |(dof, sums): (usize, Parts)| {
+        let (k, simplex) = numbering.owner(dof);
+        mesh.is_interior(k, simplex).then(|| EinsteinSums {
+            simplex: mesh.vertices(k, simplex).to_vec(),
+            index: dof - numbering.global(k, simplex, 0),
+            sums,
+        })
+    };
+    let all = Parts::of(sums, None).into_iter().enumerate();
+    all.filter_map(of).collect()
+}

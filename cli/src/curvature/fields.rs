@@ -1,0 +1,105 @@
+//! Mesh and curvature as lists of numbers for pictures and for ParaView.
+
+use super::CurvatureError;
+use super::given::Given;
+use super::report::{CurvatureReport, VertexSums};
+use regge_curvature::functional::{angle_defects, cell_curvatures, cell_volumes};
+use regge_curvature::quadrature::Rule;
+use regge_curvature::scalar::Lanes;
+use regge_curvature::spaces::Lagrange;
+use regge_readers::mesh::MeshFile;
+
+/// A list of numbers with a name.
+pub type Field = (&'static str, Vec<f64>);
+
+/// A mesh in the plane or in space with fields on its vertices and cells; NaN where a field is not defined.
+#[derive(Clone, Debug, Default)]
+pub struct Fields {
+    /// N: triangles or tetrahedra.
+    pub dimension: usize,
+    /// Three coordinates a vertex.
+    pub points: Vec<f64>,
+    /// N+1 vertices a cell.
+    pub cells: Vec<u32>,
+    /// On vertices.
+    pub on_points: Vec<Field>,
+    /// On cells.
+    pub on_cells: Vec<Field>,
+    /// The tag of the first physical group of each cell, 0 where there is none.
+    pub groups: Vec<i32>,
+}
+
+/// Refuses a mesh that has no place in space.
+pub fn check(file: &MeshFile) -> Result<(), CurvatureError> {
+    let refuse = |what: String| {
+        let path = file.file.display();
+        Err(CurvatureError::Input(format!(
+            "{path}: {what}, which VTU files and pictures need: ask for JSON"
+        )))
+    };
+    match (file.has_coordinates(), file.dimension) {
+        (false, _) => refuse("the mesh has no coordinates".into()),
+        (true, 2 | 3) => Ok(()),
+        (true, n) => refuse(format!("the mesh has dimension {n}, not 2 or 3")),
+    }
+}
+
+/// What there is to be seen.
+pub fn fields<const N: usize>(
+    given: &Given<'_, N>,
+    report: &CurvatureReport,
+    hats: &Lagrange<N>,
+    rule: &Rule,
+) -> Fields {
+    let (file, mesh) = (given.file, hats.mesh());
+    let volumes = cell_volumes::<Lanes, N, _>(given.g_h, mesh, rule);
+    let cells = match &report.cells {
+        Some(cells) => cells.clone(),
+        None => cell_curvatures::<Lanes, N, _>(given.g_h, mesh, rule),
+    };
+    let mean = cells.iter().zip(&volumes).map(|(r, v)| r / v).collect();
+    let mut on_points = on_vertices(report, file.vertices);
+    if N == 2 {
+        let mut theta = vec![f64::NAN; file.vertices];
+        for (vertex, defect, _) in angle_defects(given.g_h, hats, 1) {
+            theta[vertex] = defect;
+        }
+        on_points.push(("Theta", theta));
+    }
+    Fields {
+        dimension: N,
+        points: points(file),
+        cells: file.cells.iter().flatten().map(|&v| v as u32).collect(),
+        on_points,
+        on_cells: vec![("R_integral", cells), ("volume", volumes), ("R", mean)],
+        groups: file.cell_groups(),
+    }
+}
+
+/// The sums of the hat functions, and R_h.
+fn on_vertices(report: &CurvatureReport, vertices: usize) -> Vec<Field> {
+    let mut lists = [(); 4].map(|()| vec![f64::NAN; vertices]);
+    for VertexSums { vertex, sums } in &report.vertices {
+        let values = [sums.cells, sums.faces, sums.hinges, sums.total];
+        for (list, value) in lists.iter_mut().zip(values) {
+            list[*vertex] = value;
+        }
+    }
+    let names = ["sum_element", "sum_face", "sum_hinge", "sum_total"];
+    let mut fields: Vec<Field> = names.into_iter().zip(lists).collect();
+    if let Some(r_h) = &report.r_h {
+        // The coefficients of the vertices come first, and are the values there.
+        let values = r_h.coefficients.iter().take(vertices);
+        fields.push(("R_h", values.map(|c| c.value).collect()));
+    }
+    fields
+}
+
+/// Three coordinates a vertex.
+fn points(file: &MeshFile) -> Vec<f64> {
+    let of = |x: &[f64]| [0, 1, 2].map(|i| x.get(i).copied().unwrap_or(0.0));
+    file.coordinates
+        .chunks_exact(file.width)
+        .flat_map(of)
+        .collect()
+}

@@ -1,0 +1,101 @@
+//! From a mesh and a metric, or a mesh and edge lengths, to the distributional curvature.
+
+mod action;
+mod einstein;
+mod evaluate;
+mod fields;
+mod given;
+mod norm;
+mod report;
+mod settle;
+mod simplices;
+mod smooth;
+mod sums;
+
+pub use action::{ActionReport, EdgeDerivative, action};
+pub use einstein::{EinsteinReport, EinsteinSums, einstein};
+pub use fields::Fields;
+pub use given::{Phase, Source};
+pub use report::{
+    About, CurvatureReport, FaceJump, HingeDefect, NormError, Parts, Projected, ProjectedCurvature,
+    QuadratureUsed, TestSums, VertexSums,
+};
+
+use evaluate::Curvature;
+use regge_readers::InputError;
+use regge_readers::mesh::MeshFile;
+
+/// What is done on the boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boundary {
+    /// Nothing, as in the paper: test functions vanish there.
+    None,
+    /// The terms of Gauss and Bonnet are added, and all test functions are used.
+    GaussBonnet,
+}
+
+/// What is to be computed.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// r.
+    pub degree: usize,
+    /// The order of quadrature; None: raised until the sums settle.
+    pub quadrature: Option<usize>,
+    /// Sums for all test functions of this degree, beside the hat functions.
+    pub test_degree: Option<usize>,
+    /// The error in H⁻² too?
+    pub norm: bool,
+    /// The boundary's part.
+    pub boundary: Boundary,
+    /// Hinges, faces, cells and R_h one by one?
+    pub details: bool,
+    /// What a picture needs?
+    pub fields: bool,
+}
+
+/// Why there is no curvature.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum CurvatureError {
+    /// A file or a request is to blame.
+    #[error("{0}")]
+    Input(String),
+    /// The computation failed.
+    #[error("{0}")]
+    Failed(String),
+}
+
+impl From<InputError> for CurvatureError {
+    fn from(error: InputError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
+fn input(error: regge_curvature::Error) -> CurvatureError {
+    CurvatureError::Input(error.to_string())
+}
+
+fn failed(error: regge_curvature::Error) -> CurvatureError {
+    CurvatureError::Failed(error.to_string())
+}
+
+/// The curvature of the Regge metric on the mesh.
+///
+/// # Errors
+/// Whether the input is to blame or the computation, and what is wrong where.
+pub fn curvature(
+    mesh: &MeshFile,
+    source: &Source,
+    request: &Request,
+    phase: Phase<'_>,
+) -> Result<CurvatureReport, CurvatureError> {
+    if request.fields {
+        fields::check(mesh)?;
+    }
+    given::on_metric(
+        mesh,
+        source,
+        request.degree,
+        phase,
+        &Curvature { request, phase },
+    )
+}

@@ -1,0 +1,140 @@
+//! ∫ R(g) v ω of the smooth metric, where R(g) is stated by a formula.
+
+use rayon::prelude::*;
+use regge_curvature::field::TensorField;
+use regge_curvature::jet::Jet2;
+use regge_curvature::linalg::{Mat, indefinite_pivot};
+use regge_curvature::metrics::{AffineMap, Smooth, SmoothTensor};
+use regge_curvature::quadrature::Rule;
+use regge_curvature::simplex::{Points, subsets};
+use regge_curvature::spaces::Lagrange;
+use regge_curvature::{Error, linalg::inverse_and_det};
+use regge_readers::expression::Expression;
+
+/// Σ_T ∫_T R v ω for every basis function v, with R by its own formula.
+pub fn stated_curvature<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    exact: &Expression,
+    space: &Lagrange<N>,
+    rule: &Rule,
+) -> Vec<f64> {
+    let mesh = space.mesh();
+    let basis = space.basis(N).tabulate::<f64>(rule.points());
+    let table = TensorField::<f64, N>::tabulate(g, rule.points());
+    let mut load = vec![0.0; space.len()];
+    for cell in 0..mesh.cell_count() {
+        let local = TensorField::<f64, N>::on_cell(g, cell);
+        for (q, weight) in rule.weights().iter().enumerate() {
+            let x = place(g, cell, rule.points().lambda(q));
+            let (_, det) = inverse_and_det(&g.value(&local, &table, q));
+            let density = exact.at(&x) * det.sqrt() * weight;
+            for (dof, value) in space.cell_dofs(cell).zip(&basis[q]) {
+                load[dof] += density * value;
+            }
+        }
+    }
+    load
+}
+
+/// The point with these barycentric coordinates in ℝ^N.
+fn place<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    cell: usize,
+    lambda: &[f64],
+) -> [f64; N] {
+    let mut x = [0.0; N];
+    for (i, l) in lambda.iter().enumerate() {
+        // A formula lives on meshes with coordinates only.
+        if let Some(corner) = g.mesh().corner(cell, i) {
+            for a in 0..N {
+                x[a] += l * corner[a];
+            }
+        }
+    }
+    x
+}
+
+/// Is the formula, with its derivatives, finite and positive definite at the points of a rule in every cell?
+///
+/// # Errors
+/// Names the first cell and point where it is not.
+pub fn check_formula<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    rule: &Rule,
+) -> Result<(), Error> {
+    let parts = |jet: &Jet2<f64, N>| {
+        let all = jet.dd.iter().flatten().chain(&jet.d).chain([&jet.value]);
+        all.fold(0.0, |sum: f64, part| sum + part.abs())
+    };
+    check_at(g, rule.points(), |local, table, q| {
+        let jets = g.jet2(local, table, q);
+        let finite = jets.iter().all(|jet| parts(jet).is_finite());
+        finite.then(|| jets.map(|jet| jet.value))
+    })
+}
+
+/// Is the formula finite and positive definite at the points of a rule in every cell?
+///
+/// # Errors
+/// As [`check_formula`].
+pub fn check_values<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    rule: &Rule,
+) -> Result<(), Error> {
+    check_at(g, rule.points(), |local, table, q| {
+        finite_value(g, local, table, q)
+    })
+}
+
+fn finite_value<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    local: &AffineMap<N>,
+    table: &Vec<[f64; N]>,
+    q: usize,
+) -> Option<Mat<f64, N>> {
+    let value = g.value(local, table, q);
+    value.iter().all(|x: &f64| x.is_finite()).then_some(value)
+}
+
+/// Is the formula finite and positive definite on the edges, at the points where interpolants of degree r look?
+///
+/// # Errors
+/// As [`check_formula`].
+pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    degree: usize,
+) -> Result<(), Error> {
+    let rule = Rule::new(1, 2 * degree + 12);
+    subsets(N + 1, 2).iter().try_for_each(|edge| {
+        let points = rule.points().embed(edge, N + 1);
+        check_at(g, &points, |local, table, q| {
+            finite_value(g, local, table, q)
+        })
+    })
+}
+
+/// `finite` answers with g at the q-th point, if all that is wanted there is finite.
+fn check_at<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    points: &Points,
+    finite: impl Fn(&AffineMap<N>, &Vec<[f64; N]>, usize) -> Option<Mat<f64, N>> + Sync,
+) -> Result<(), Error> {
+    let table = TensorField::<f64, N>::tabulate(g, points);
+    let on_cell = |cell: usize| {
+        let local = TensorField::<f64, N>::on_cell(g, cell);
+        (0..points.len()).find_map(|q| {
+            let what = match finite(&local, &table, q) {
+                None => "is not finite, or divides by zero,".to_string(),
+                Some(value) => {
+                    let pivot = indefinite_pivot(&value)?;
+                    format!("is not positive definite (pivot {pivot:e})")
+                }
+            };
+            let x = place(g, cell, points.lambda(q));
+            let reason = format!("the metric {what} at x = {x:?}: check the formula there");
+            Some(Error::Cell { cell, reason })
+        })
+    };
+    let cells = (0..g.mesh().cell_count()).into_par_iter();
+    cells.find_map_first(on_cell).map_or(Ok(()), Err)
+}

@@ -1,0 +1,14 @@
+//! The command line's tests as one program.
+//!
+//! `cargo test -p regge-verify --test all cli_numbers` runs one file.
+
+mod cli;
+mod cli_action;
+mod cli_curvature;
+mod cli_curvature_input;
+mod cli_curvature_output;
+mod cli_numbers;
+mod cli_resume;
+mod cli_study;
+mod common;
+mod fuzz_readers;

@@ -1,0 +1,241 @@
+//! The canonical degrees of freedom and the basis dual to them. Paper: appendix; Li 2018, eq. (2.4b).
+//!
+//! On a k-simplex D, k ≥ 1, they are the integrals of g|_D against the symmetric tensors of degree r−k+1:
+//! ℓ_{D,ab,β}(g) = ∫_D q_ab λ^β dμ, ab an edge of D, |β| = r−k+1, dμ the reference measure of D (1/k! in all). The
+//! integrals of different edges have nothing to do with each other, so that the dual basis is found edge by edge.
+
+use crate::field::TensorField;
+use crate::mesh::Slot;
+use crate::quadrature::Rule;
+use crate::scalar::{Lift, Real};
+use crate::simplex::{Bernstein, multi_indices, subsets};
+use crate::spaces::ReggeSpace;
+use nalgebra::DMatrix;
+
+/// The canonical degrees of freedom of a Regge space. They are numbered as its coefficients are: on each simplex by
+/// edge, then by β.
+#[derive(Clone, Debug)]
+pub struct Canonical<const N: usize> {
+    space: ReggeSpace<N>,
+    on: Vec<OnSimplex>,
+}
+
+/// What happens on a k-simplex D, the same for all of them.
+#[derive(Clone, Debug)]
+struct OnSimplex {
+    /// Where D is in the cell, by place.
+    places: Vec<Place>,
+    /// λ^β, |β| = r−k+1, as Bernstein polynomials (a multiple each, which changes nothing in duality).
+    test: Bernstein,
+    /// By edge of D: α that charge all of D with the edge, and those that do not.
+    own: Vec<Vec<usize>>,
+    lower: Vec<Vec<usize>>,
+    /// By edge: ∫ B_α λ^β, rows β, all columns α.
+    moments: DMatrix<f64>,
+    /// By edge: the inverse of its columns `own`.
+    inverse: Vec<DMatrix<f64>>,
+}
+
+/// D as one of the k-simplices of a cell.
+#[derive(Clone, Debug)]
+struct Place {
+    /// Its local vertices.
+    vertices: Vec<usize>,
+    /// The cell's number for each edge of D.
+    edges: Vec<usize>,
+    /// The cell's number for each α of D.
+    alphas: Vec<usize>,
+    /// Where the coefficients of q_ab on D are numbered, by edge of D.
+    slots: Vec<Vec<Slot>>,
+}
+
+impl Place {
+    fn new(n: usize, degree: usize, vertices: Vec<usize>) -> Self {
+        let position = |all: &[Vec<usize>], one: &[usize]| {
+            all.iter().position(|a| a == one).unwrap_or_default()
+        };
+        let cell_edges = subsets(n + 1, 2);
+        let edges = subsets(vertices.len(), 2)
+            .iter()
+            .map(|e| position(&cell_edges, &[vertices[e[0]], vertices[e[1]]]))
+            .collect();
+        let cell_alphas = multi_indices(n + 1, degree);
+        let in_cell = |alpha: &Vec<usize>| {
+            let mut extended = vec![0; n + 1];
+            for (i, &v) in vertices.iter().enumerate() {
+                extended[v] = alpha[i];
+            }
+            position(&cell_alphas, &extended)
+        };
+        let alphas = multi_indices(vertices.len(), degree)
+            .iter()
+            .map(in_cell)
+            .collect();
+        Self {
+            edges,
+            alphas,
+            slots: crate::spaces::regge_slots(&vertices, n, degree),
+            vertices,
+        }
+    }
+}
+
+impl OnSimplex {
+    /// None where r−k+1 < 0: no degrees of freedom.
+    fn new(n: usize, k: usize, degree: usize) -> Option<Self> {
+        let test = Bernstein::new(k + 1, (degree + 1).checked_sub(k)?);
+        let basis = Bernstein::new(k + 1, degree);
+        let moments = moments(&test, &basis, Rule::new(k, 2 * degree + 1));
+        let places = subsets(n + 1, k + 1)
+            .into_iter()
+            .map(|v| Place::new(n, degree, v))
+            .collect();
+        let (mut own, mut lower, mut inverse) = (Vec::new(), Vec::new(), Vec::new());
+        for edge in subsets(k + 1, 2) {
+            let full =
+                |a: &usize| (0..=k).all(|v| edge.contains(&v) || basis.exponents()[*a][v] > 0);
+            let (mine, others): (Vec<usize>, Vec<usize>) = (0..basis.len()).partition(full);
+            let square = moments.select_columns(&mine);
+            // Square and regular: the products of λ^β with the bubble of D∖ab span the columns.
+            inverse.push(square.try_inverse()?);
+            own.push(mine);
+            lower.push(others);
+        }
+        Some(Self {
+            places,
+            test,
+            own,
+            lower,
+            moments,
+            inverse,
+        })
+    }
+
+    /// How many edges D has.
+    fn edges(&self) -> usize {
+        self.own.len()
+    }
+}
+
+/// ∫ test_β basis_α by a rule that is exact for the product.
+fn moments(test: &Bernstein, basis: &Bernstein, rule: Rule) -> DMatrix<f64> {
+    let (t, b) = (
+        test.tabulate::<f64>(rule.points()),
+        basis.tabulate::<f64>(rule.points()),
+    );
+    DMatrix::from_fn(test.len(), basis.len(), |beta, alpha| {
+        (0..rule.len())
+            .map(|q| rule.weights()[q] * t[q][beta] * b[q][alpha])
+            .sum()
+    })
+}
+
+impl<const N: usize> Canonical<N> {
+    /// The degrees of freedom of a space.
+    pub fn new(space: &ReggeSpace<N>) -> Self {
+        Self {
+            space: space.clone(),
+            on: (1..=N)
+                .map_while(|k| OnSimplex::new(N, k, space.degree()))
+                .collect(),
+        }
+    }
+
+    /// ℓ(g) for every degree of freedom, g seen from the first cell around each simplex, by rules of this order.
+    pub fn evaluate<T: Real<Sum = T>, G: TensorField<T, N>>(&self, g: &G, order: usize) -> Vec<T> {
+        let mesh = self.space.mesh();
+        let mut values = vec![T::zero(); self.space.len()];
+        for (k, on) in (1..).zip(&self.on) {
+            let rule = Rule::new(k, order);
+            let test = on.test.tabulate::<f64>(rule.points());
+            let seen = |p: &Place| g.tabulate(&rule.points().embed(&p.vertices, N + 1));
+            let tables: Vec<G::Table> = on.places.iter().map(seen).collect();
+            let on_simplex = |simplex: usize| {
+                let side = mesh.first_side(k, simplex);
+                let local = g.on_cell(side.cell);
+                let mut moments = vec![T::zero(); on.edges() * on.test.len()];
+                for q in 0..rule.len() {
+                    let value = g.value(&local, &tables[side.place], q);
+                    let components = crate::spaces::edge_components(&value);
+                    for (e, &edge) in on.places[side.place].edges.iter().enumerate() {
+                        for beta in 0..on.test.len() {
+                            moments[e * on.test.len() + beta] +=
+                                components[edge] * T::from_f64(rule.weights()[q] * test[q][beta]);
+                        }
+                    }
+                }
+                moments
+            };
+            crate::parallel::in_order(mesh.count(k), on_simplex, |simplex, moments| {
+                for (i, moment) in moments.into_iter().enumerate() {
+                    values[self.space.numbering().global(k, simplex, i)] = moment;
+                }
+            });
+        }
+        values
+    }
+
+    /// ℓ of a polynomial tensor on one cell, given by its coefficients `[edge][α]` there: visits (global index, ℓ).
+    pub(super) fn of_cell(&self, cell: usize, local: &[f64], mut visit: impl FnMut(usize, f64)) {
+        let mesh = self.space.mesh();
+        let size = Bernstein::new(N + 1, self.space.degree()).len();
+        for (k, on) in (1..).zip(&self.on) {
+            for (p, place) in on.places.iter().enumerate() {
+                let simplex = if k == N {
+                    cell
+                } else {
+                    mesh.simplices_of(cell, k)[p] as usize
+                };
+                for (e, edge) in place.edges.iter().enumerate() {
+                    let q = &local[edge * size..(edge + 1) * size];
+                    for beta in 0..on.test.len() {
+                        let mut value = 0.0;
+                        for (a, &alpha) in place.alphas.iter().enumerate() {
+                            value += on.moments[(beta, a)] * q[alpha];
+                        }
+                        visit(
+                            self.space
+                                .numbering()
+                                .global(k, simplex, e * on.test.len() + beta),
+                            value,
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// The coefficients of the function whose degrees of freedom are given: Σ_i ℓ_i ψ_i.
+    ///
+    /// From edges to cells: on D, what the coefficients of D's faces contribute to the integrals is known.
+    pub fn solve<C: Real + Lift<C>>(&self, values: &[C]) -> Vec<C> {
+        let (mesh, numbering) = (self.space.mesh(), self.space.numbering());
+        let mut coefficients = vec![C::zero(); self.space.len()];
+        for (k, on) in (1..).zip(&self.on) {
+            for simplex in 0..mesh.count(k) {
+                let side = mesh.first_side(k, simplex);
+                for e in 0..on.edges() {
+                    let slots = &on.places[side.place].slots[e];
+                    let dof = |a: usize| numbering.of_cell(mesh, side.cell, slots[a]);
+                    let mut rest: Vec<C> = (0..on.test.len())
+                        .map(|beta| values[numbering.global(k, simplex, e * on.test.len() + beta)])
+                        .collect();
+                    for &a in &on.lower[e] {
+                        let c = coefficients[dof(a)];
+                        for (beta, r) in rest.iter_mut().enumerate() {
+                            *r -= C::from_f64(on.moments[(beta, a)]) * c;
+                        }
+                    }
+                    for (i, &a) in on.own[e].iter().enumerate() {
+                        let mut c = C::zero();
+                        for (beta, r) in rest.iter().enumerate() {
+                            c += C::from_f64(on.inverse[e][(i, beta)]) * *r;
+                        }
+                        coefficients[dof(a)] = c;
+                    }
+                }
+            }
+        }
+        coefficients
+    }
+}

@@ -1,0 +1,61 @@
+//! One function of the basis, as a field of its own.
+
+use super::regge::{ReggeSpace, components_from_edges, from_chunks};
+use crate::field::TensorField;
+use crate::jet::{Jet1, Jet2};
+use crate::linalg::Mat;
+use crate::scalar::Real;
+use crate::simplex::{Bernstein, JetTable, Points};
+
+/// ψ_i: the Regge function whose i-th coefficient is 1 and all others 0, without the vector of them.
+#[derive(Clone, Debug)]
+pub struct BasisFunction<const N: usize> {
+    space: ReggeSpace<N>,
+    index: usize,
+}
+
+impl<const N: usize> BasisFunction<N> {
+    /// ψ_i; for i beyond the dimension, 0.
+    pub fn new(space: &ReggeSpace<N>, index: usize) -> Self {
+        Self {
+            space: space.clone(),
+            index,
+        }
+    }
+}
+
+impl<T: Real, const N: usize> TensorField<T, N> for BasisFunction<N> {
+    type Table = JetTable<T, N>;
+    type Local = Vec<f64>;
+
+    fn tabulate(&self, points: &Points) -> Self::Table {
+        JetTable::new(&Bernstein::new(N + 1, self.space.degree()), points)
+    }
+
+    fn on_cell(&self, cell: usize) -> Vec<f64> {
+        let space = &self.space;
+        let slots = space.slots().iter().flatten();
+        let is_mine = |slot| space.numbering().of_cell(space.mesh(), cell, slot) == self.index;
+        let mut local: Vec<f64> = slots
+            .map(|&slot| f64::from(u8::from(is_mine(slot))))
+            .collect();
+        components_from_edges::<f64, N>(&mut local);
+        local
+    }
+
+    fn jet2(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+        from_chunks(local, |c| table.jet2(block, c))
+    }
+
+    fn jet1(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
+        from_chunks(local, |c| table.jet1(block, c))
+    }
+
+    fn value(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<T, N> {
+        from_chunks(local, |c| table.value(block, c))
+    }
+
+    fn is_constant(&self) -> bool {
+        self.space.degree() == 0
+    }
+}

@@ -1,0 +1,10 @@
+//! Floor 5. Finite element spaces: Lagrange functions and Regge metrics of any degree in any dimension.
+
+mod basis;
+mod lagrange;
+mod regge;
+
+pub use basis::BasisFunction;
+pub use lagrange::Lagrange;
+pub use regge::{ReggeFunction, ReggeSpace, check_positive, dofs_per_simplex};
+pub(crate) use regge::{edge_components, slots_on as regge_slots};

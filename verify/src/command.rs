@@ -1,0 +1,159 @@
+//! `regge verify`: the catalogue of claims.
+
+use super::output;
+use super::stop::{Out, Stop};
+use indicatif::{ProgressBar, ProgressStyle};
+use regge_cli::claims::records;
+use regge_cli::report::{Report, document, pages};
+use regge_cli::{Options, errata, run};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+const DETAILS: &str = "\
+Labels are rows of the catalogue (P13) or labels of the paper's source (thm:distcurvdot).
+A claim passes if it holds at every random instance and every forgery of it is caught.
+A run of everything also writes the errata: over an errata.md beside the folder of pages, as in docs, or else into it.
+
+Examples:
+  regge verify                              everything; pages in target/verification
+  regge verify --only P20 --dimension 3     one claim in one dimension
+  regge verify --seed 7 --json report.json  other random instances, the report as data
+
+Exit codes: 0 all hold, 1 a claim fails or a forgery was not caught, 2 bad arguments.";
+
+/// Checks every statement of the paper, and that wrong versions of it are caught.
+#[derive(clap::Args)]
+#[command(after_help = DETAILS)]
+pub struct Args {
+    /// Only this claim; may be given more than once
+    #[arg(long, value_name = "LABEL")]
+    only: Vec<String>,
+    /// Only this dimension
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(2..=5))]
+    dimension: Option<u8>,
+    /// Where all random instances come from
+    #[arg(long, default_value_t = Options::default().seed)]
+    seed: u64,
+    /// Fewer instances
+    #[arg(long)]
+    quick: bool,
+    /// Writes the report as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Where the pages go
+    #[arg(long, value_name = "DIR", default_value = "target/verification")]
+    report: PathBuf,
+}
+
+impl Args {
+    /// Runs the claims, writes the pages, prints the table.
+    pub fn run(self) -> Result<(), Stop> {
+        if let Some(path) = &self.json {
+            output::check(path)?;
+        }
+        let everything = self.only.is_empty() && self.dimension.is_none() && !self.quick;
+        let options = Options {
+            only: self.only,
+            dimension: self.dimension.map(usize::from),
+            seed: self.seed,
+            quick: self.quick,
+        };
+        let report = with_bar(&options)?;
+        if report.claims.is_empty() {
+            return Err(Stop::Usage(
+                "none of these claims is made in that dimension".to_owned(),
+            ));
+        }
+        write_pages(&report, &self.report)?;
+        if everything {
+            write_errata(&self.report)?;
+        }
+        if let Some(path) = &self.json {
+            output::write(path, &json(&report)?)?;
+        }
+        let mut out = Out::new();
+        write!(out, "{}", report.table())?;
+        writeln!(out, "pages: {}", self.report.display())?;
+        verdict(&report)
+    }
+}
+
+fn with_bar(options: &Options) -> Result<Report, Stop> {
+    let bar = ProgressBar::new(0);
+    if let Ok(style) =
+        ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos}/{len} {msg}")
+    {
+        bar.set_style(style.progress_chars("=> "));
+    }
+    let report = run(options, &|progress| {
+        bar.set_length(progress.total as u64);
+        bar.set_message(format!(
+            "{} (N = {})",
+            progress.entry.label, progress.entry.dimension
+        ));
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    let mut report = report.map_err(|unknown| Stop::Usage(unknown.to_string()))?;
+    report.revision = revision();
+    Ok(report)
+}
+
+/// The revision of the checkout that the command runs in. Not known at build time: a build that depended on it would
+/// compile the whole catalogue anew at each commit.
+fn revision() -> String {
+    let git = std::process::Command::new("git")
+        .args(["rev-parse", "--short=12", "HEAD"])
+        .output();
+    let text = git
+        .ok()
+        .filter(|o| o.status.success())
+        .and_then(|o| String::from_utf8(o.stdout).ok());
+    text.map_or_else(|| "unknown".to_owned(), |t| t.trim().to_owned())
+}
+
+fn json(report: &Report) -> Result<String, Stop> {
+    let text = serde_json::to_string_pretty(report);
+    text.map(|t| t + "\n")
+        .map_err(|error| Stop::Failed(format!("the report as JSON: {error}")))
+}
+
+fn write_pages(report: &Report, folder: &Path) -> Result<(), Stop> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Stop::Failed(format!("{}: {error}", folder.display())))?;
+    let records = records();
+    for page in pages(report, &records) {
+        output::write(&folder.join(page.name), &page.content)?;
+    }
+    output::write(&folder.join("index.html"), &document(report, &records))?;
+    output::write(&folder.join("report.json"), &json(report)?)
+}
+
+/// The errata, with the numbers that show them.
+fn write_errata(folder: &Path) -> Result<(), Stop> {
+    const NAME: &str = "errata.md";
+    let page = errata::page().map_err(|error| Stop::Failed(format!("the errata: {error}")))?;
+    let beside = folder.join("..").join(NAME);
+    let path = if beside.is_file() {
+        beside
+    } else {
+        folder.join(NAME)
+    };
+    output::write(&path, &page)
+}
+
+/// A failed claim ends the program with the instance that shows it.
+fn verdict(report: &Report) -> Result<(), Stop> {
+    let failures = report.failures();
+    let Some(first) = failures.first() else {
+        return Ok(());
+    };
+    let mut text = String::new();
+    for entry in &failures {
+        text += &format!("{}\n", entry.describe_failure());
+    }
+    Err(Stop::Failed(format!(
+        "{text}replay the first: {}",
+        first.replay(report.seed)
+    )))
+}

@@ -1,0 +1,96 @@
+//! Every claim is checked enough, and the committed pages are those of the catalogue.
+
+use regge_verify::claim::{Budget, Check, ENOUGH, Excuses};
+use regge_verify::claims::{catalogue, records};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// The checks of a claim, and its excuses.
+fn checks_of<'a>(all: &'a [Box<dyn Check>], label: &str) -> (Vec<&'a dyn Check>, Excuses) {
+    let of: Vec<&dyn Check> = (all.iter().map(AsRef::as_ref))
+        .filter(|c| c.record().label == label)
+        .collect();
+    let excuses = Excuses {
+        one_method: of.iter().find_map(|c| c.excuses().one_method),
+        few_cases: of.iter().find_map(|c| c.excuses().few_cases),
+    };
+    (of, excuses)
+}
+
+#[test]
+fn every_claim_has_two_methods_or_a_reason() {
+    let all = catalogue();
+    for record in records() {
+        let (checks, excuses) = checks_of(&all, record.label);
+        let methods: BTreeSet<&str> = checks.iter().map(|c| c.method().name()).collect();
+        assert_eq!(
+            methods.len() == 1,
+            excuses.one_method.is_some(),
+            "{}: {methods:?}, {excuses:?}",
+            record.label
+        );
+    }
+}
+
+#[test]
+fn every_claim_has_enough_instances_or_a_reason() {
+    let (all, budget) = (catalogue(), Budget::full(0));
+    for record in records() {
+        let (checks, excuses) = checks_of(&all, record.label);
+        let by = |method: &str| -> usize {
+            let of = checks.iter().filter(|c| c.method().name() == method);
+            of.map(|c| c.cases(&budget)).sum()
+        };
+        let most = ["AD", "exact", "oracle", "homotopy"]
+            .map(by)
+            .into_iter()
+            .max();
+        assert_eq!(
+            most < Some(ENOUGH),
+            excuses.few_cases.is_some(),
+            "{}: {most:?} instances, {excuses:?}",
+            record.label
+        );
+    }
+}
+
+/// docs/verification.
+fn committed(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../docs/verification")
+        .join(name)
+}
+
+fn read(name: &str) -> String {
+    std::fs::read_to_string(committed(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// `regge verify --report docs/verification` has been run since a claim was last changed.
+#[test]
+fn the_committed_pages_are_those_of_the_catalogue() {
+    let report: Value = serde_json::from_str(&read("report.json")).expect("JSON");
+    let entries = report["claims"].as_array().expect("a list");
+    assert!(entries.iter().all(|e| e["verdict"] == "pass"));
+    let key = |e: &Value| {
+        let text = |k: &str| e[k].as_str().unwrap_or_default().to_owned();
+        (text("label"), e["dimension"].as_u64(), text("method"))
+    };
+    let there: BTreeSet<_> = entries.iter().map(key).collect();
+    let wanted = catalogue();
+    let wanted: BTreeSet<_> = (wanted.iter())
+        .map(|c| {
+            let (label, method) = (c.record().label.to_owned(), c.method().name().to_owned());
+            (label, Some(c.dimension() as u64), method)
+        })
+        .collect();
+    assert_eq!(there, wanted);
+    let html = read("index.html");
+    for record in records() {
+        let page = read(&format!("{}.md", record.label));
+        let statement: Vec<&str> = record.statement.split_whitespace().collect();
+        assert!(page.contains(&statement.join(" ")), "{}", record.label);
+        assert!(page.contains(record.sides), "{}", record.label);
+        assert!(html.contains(&format!("id=\"{}\"", record.label)));
+    }
+}
