@@ -22,13 +22,13 @@ where
 {
     let (mesh, degree) = (g.space().mesh(), g.space().degree());
     let hats = Lagrange::new(mesh, 1);
-    let rules = Rules::new::<N>(2 * (degree + 2));
+    let rules = Rules::new(N, 2 * (degree + 2));
     let mut group = c.benchmark_group(format!("curvature N={N} r={degree}"));
     group
         .sample_size(20)
         .throughput(Throughput::Elements(mesh.cell_count() as u64));
     group.bench_function(BenchmarkId::from_parameter(name), |b| {
-        b.iter(|| distributional_curvature::<T, _, _>(black_box(g), &hats, &rules));
+        b.iter(|| distributional_curvature(black_box(g), &hats, &rules));
     });
     group.finish();
 }

@@ -25,12 +25,12 @@ fn main() -> Result<(), regge_curvature::Error> {
     let test = Lagrange::new(&mesh, 2);
     println!("order      d/dt by duals            b_h - a_h   difference");
     for order in [4, 8, 12, 16] {
-        let rules = Rules::new::<3>(order);
+        let rules = Rules::new(3, order);
         let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, 1.0), &sigma);
-        let curvature = distributional_curvature::<Dual64, _, _>(&moving, &test, &rules).total();
+        let curvature = distributional_curvature(&moving, &test, &rules).total();
         let (b, a) = (
-            b_h::<f64, 3, _, _>(&g, &sigma, &test, &rules).total(),
-            a_h::<f64, 3, _, _>(&g, &sigma, &test, &rules).total(),
+            b_h(&g, &sigma, &test, &rules).total(),
+            a_h(&g, &sigma, &test, &rules).total(),
         );
         // The largest of the test functions that vanish on the boundary, as the theorem asks.
         let inner = (0..test.len()).filter(|&dof| test.vanishes_on_boundary(dof));

@@ -20,9 +20,9 @@ fn main() -> Result<(), regge_curvature::Error> {
         let space = ReggeSpace::new(&mesh, 2);
         let sphere = Smooth::new(&mesh, Metric::Sphere)?;
         let g = Interpolant::Canonical { order: 12 }.apply(&space, &sphere)?;
-        let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new::<2>(24));
-        let inside = distributional_curvature::<Lanes, _, _>(&g, &test, &rules).total();
-        let boundary = boundary_curvature::<Lanes, _, _>(&g, &test, &rules).total();
+        let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new(2, 24));
+        let inside = distributional_curvature(&g, &test, &rules).total();
+        let boundary = boundary_curvature(&g, &test, &rules).total();
         let [a, b]: [f64; 2] = [&inside, &boundary].map(|list| list.iter().sum());
         // With v = 0 on the boundary, as in the paper: there R_h is 0, and a few cells away it is the curvature.
         let projection = Projection::new(&g, &test, Tested::Interior, &rules.cells)?;

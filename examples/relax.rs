@@ -104,7 +104,7 @@ fn main() -> Result<(), regge_curvature::Error> {
         };
         let defects = angle_defects(&g, &Lagrange::new(&mesh, 1), 1);
         let defect = defects.iter().fold(0.0, |m: f64, d| m.max(d.1.abs()));
-        let [inside, outside] = regge_action::<f64, N, _>(&g, &mesh, &Rules::new::<N>(1));
+        let [inside, outside] = regge_action(&g, &mesh, &Rules::new(N, 1));
         println!(
             "{step:4}   {:10.2e}   {defect:14.2e}   {:.10}",
             r.norm(),

@@ -32,7 +32,7 @@ fn main() -> Result<(), regge_curvature::Error> {
         });
         let g = space.function(squares.collect())?;
         let hats = Lagrange::new(&mesh, 1);
-        let sums = distributional_curvature::<f64, _, _>(&g, &hats, &Rules::new::<2>(1));
+        let sums = distributional_curvature(&g, &hats, &Rules::new(2, 1));
         let total: f64 = sums.total().iter().sum();
         let defects = angle_defects(&g, &hats, 1);
         let largest = defects.iter().fold(0.0, |m: f64, d| m.max(d.1));

@@ -1,74 +1,95 @@
-//! Floor 4. The formulas of the paper that the functionals are made of, behind one trait.
+//! Floor 1. The signs and factors of the paper's formulas, as data.
 //!
-//! Production code uses [`Paper`], whose methods are the defaults. A sceptic overrides one method with something
-//! wrong and sees which claims of the verification fail: the code that is tested is the code that is used.
+//! Production code computes by [`PAPER`]. A sceptic changes a number, `Formulas { second_form: -1, ..PAPER }`, hands it to
+//! [`Rules::with_formulas`](crate::functional::Rules::with_formulas) or to a density, and sees which claims of the
+//! verification fail: the code that is tested is the code that is used.
 
-use crate::hinge::Hinge;
-use crate::hypersurface::{self, Normal};
-use crate::jet::Jet;
-use crate::linalg::{Mat, Vector};
-use crate::riemann::Connection;
-use crate::scalar::{Algebraic, Field};
-
-/// The geometric formulas and constants of def:distcurv and thm:distcurvdot.
-pub trait Formulas: Sync + 'static {
-    /// II. See [`hypersurface::second_form`].
-    #[inline]
-    fn second_form<J: Jet<N>, const N: usize>(
-        connection: &Connection<J::Lower, N>,
-        nu: &Vector<J, N>,
-        normal: &Normal<J::Lower, N>,
-    ) -> Mat<J::Lower, N> {
-        hypersurface::second_form(connection, nu, normal)
-    }
-
-    /// (sin θ, cos θ) of the dihedral angle, up to a positive factor. See [`Hinge::dihedral`].
-    #[inline]
-    fn dihedral<F: Algebraic, const N: usize>(hinge: &Hinge<F, N>) -> (F, F) {
-        hinge.dihedral()
-    }
-
-    /// II‾. See [`hypersurface::trace_reversed`].
-    #[inline]
-    fn trace_reversed<F: Field, const N: usize>(
-        g: &Mat<F, N>,
-        second_form: &Mat<F, N>,
-        mean_curvature: F,
-    ) -> Mat<F, N> {
-        hypersurface::trace_reversed(g, second_form, mean_curvature)
-    }
-
-    /// 𝕊σ. See [`crate::riemann::reverse_trace`].
-    #[inline]
-    fn reverse_trace<F: Field, const N: usize>(
-        g: &Mat<F, N>,
-        inverse: &Mat<F, N>,
-        sigma: &Mat<F, N>,
-    ) -> Mat<F, N> {
-        crate::riemann::reverse_trace(g, inverse, sigma)
-    }
-
-    /// The factor of the face sum in def:distcurv.
-    #[inline]
-    fn face_factor<F: Field>() -> F {
-        F::from_int(2)
-    }
-
-    /// The factor of the hinge sum in def:distcurv.
-    #[inline]
-    fn hinge_factor<F: Field>() -> F {
-        F::from_int(2)
-    }
-
-    /// Does a face belong to the face sum of b_h? All do, those of the boundary too.
-    #[inline]
-    fn face_in_b(_interior: bool) -> bool {
-        true
-    }
+/// The signs and factors of the formulas that the functionals are made of. All are as in [`PAPER`], unless somebody wants to see
+/// what a wrong one does.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Formulas {
+    /// k in ω = k √det g.
+    pub omega: i64,
+    /// k in R = k g^jl Ric_jl.
+    pub scalar: i64,
+    /// k in G = Ric − ½ k R g.
+    pub einstein: i64,
+    /// k in 𝕊σ = σ − ½ k g Tr σ: 2.
+    pub reverse_trace_halves: i64,
+    /// k in |ν| = k √(g^ij ν_i ν_j), by which n = g⁻¹ν/|ν| and II are normalised.
+    pub normal_length: i64,
+    /// k in P^ij = g^ij − k nⁱnʲ.
+    pub tangential: i64,
+    /// k in II = k ∇ν/|ν|.
+    pub second_form: i64,
+    /// k in H = k Tr II.
+    pub mean_curvature: i64,
+    /// k in II‾ = II − k H g.
+    pub trace_reversed: i64,
+    /// k in ω_F = k √(ν·g⁻¹ν det g).
+    pub omega_f: i64,
+    /// k in sin θ = k √gram/√(g^aa g^bb).
+    pub dihedral_sin: i64,
+    /// k in cos θ = −k g(n_a, n_b).
+    pub dihedral_cos: i64,
+    /// k in ω_S = k √(gram det g).
+    pub omega_s: i64,
+    /// k in Tr(σ|_S) = Tr σ − [g^bb σ(ν_a,ν_a) − 2 k g^ab σ(ν_a,ν_b) + g^aa σ(ν_b,ν_b)]/gram.
+    pub trace_on_s: i64,
+    /// k in τ = k (g^ab/g^aa ν_a − ν_b)/√(gram/g^aa), both ν raised.
+    pub conormal: i64,
+    /// k in the slope k g^ab/g^aa of the same formula.
+    pub conormal_slope: i64,
+    /// The factor of the face sum in def:distcurv: 2.
+    pub faces: i64,
+    /// The factor of the hinge sum in def:distcurv: 2.
+    pub hinges: i64,
+    /// Θ_S + Σ_T θ_ST over π at an interior hinge: 2.
+    pub full_angle: i64,
+    /// The same on the boundary: 1.
+    pub boundary_angle: i64,
+    /// The factor of Σ_T ∫⟨𝕊σ, ∇∇v⟩ω in b_h.
+    pub b_cells: i64,
+    /// The factor of Σ_F ∫𝕊σ(n,n)⟦∇_n v⟧ω_F in b_h: −1.
+    pub b_faces: i64,
+    /// Does b_h sum over the faces of the boundary too?
+    pub b_on_boundary: bool,
+    /// The factor of Σ_T ∫⟨G, σ⟩vω in a_h.
+    pub a_cells: i64,
+    /// The factor of Σ_F ∫⟨⟦II‾⟧, σ⟩vω_F in a_h.
+    pub a_faces: i64,
+    /// The factor of Σ_S ∫Θ_S Tr(σ|_S)vω_S in a_h: −1.
+    pub a_hinges: i64,
 }
 
 /// The formulas as the paper has them (with the corrected conormal).
-#[derive(Clone, Copy, Debug)]
-pub struct Paper;
-
-impl Formulas for Paper {}
+#[doc(hidden)]
+pub const PAPER: Formulas = Formulas {
+    omega: 1,
+    scalar: 1,
+    einstein: 1,
+    reverse_trace_halves: 2,
+    normal_length: 1,
+    tangential: 1,
+    second_form: 1,
+    mean_curvature: 1,
+    trace_reversed: 1,
+    omega_f: 1,
+    dihedral_sin: 1,
+    dihedral_cos: 1,
+    omega_s: 1,
+    trace_on_s: 1,
+    conormal: 1,
+    conormal_slope: 1,
+    faces: 2,
+    hinges: 2,
+    full_angle: 2,
+    boundary_angle: 1,
+    b_cells: 1,
+    b_faces: -1,
+    b_on_boundary: true,
+    a_cells: 1,
+    a_faces: 1,
+    a_hinges: -1,
+};

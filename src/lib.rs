@@ -56,7 +56,7 @@
 //! // The coefficients of degree 0 are the squared lengths, edge by edge in the order of the mesh.
 //! let pyramid = space.function(vec![1.0; square.count(1)])?;
 //! let hats = Lagrange::new(&square, 1);
-//! let sums = distributional_curvature::<f64, _, _>(&pyramid, &hats, &Rules::new::<2>(1));
+//! let sums = distributional_curvature(&pyramid, &hats, &Rules::new(2, 1));
 //! assert!((sums.hinges[4] - 2.0 * (2.0 * PI - 4.0 * PI / 3.0)).abs() < 1e-14);
 //! # Ok(())
 //! # }
@@ -91,9 +91,9 @@
 //! let space = ReggeSpace::new(&mesh, 2);
 //! let g = Interpolant::Canonical { order: 8 }.apply(&space, &sphere)?;
 //! // Paired with every hat function: cells, faces and hinges apart.
-//! let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new::<2>(10));
-//! let ours = distributional_curvature::<f64, _, _>(&g, &hats, &rules);
-//! let smooth = smooth_curvature::<f64, 2, _>(&sphere, &hats, &rules.cells);
+//! let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new(2, 10));
+//! let ours = distributional_curvature(&g, &hats, &rules);
+//! let smooth = smooth_curvature(&sphere, &hats, &rules);
 //! let middle = 40; // of 9 × 9 vertices
 //! assert!((ours.total()[middle] / smooth[middle] - 1.0).abs() < 1e-3);
 //! assert!(ours.faces[middle].abs() > 1e-6, "the jumps are a part of it");
@@ -120,9 +120,9 @@
 //! let space = ReggeSpace::new(&mesh, 1);
 //! let graph = Smooth::new(&mesh, Metric::GraphQuartic)?;
 //! let g = Interpolant::Canonical { order: 8 }.apply(&space, &graph)?;
-//! let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new::<3>(8));
+//! let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new(3, 8));
 //! let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, 1.0), &g);
-//! let rate = distributional_curvature::<Dual64, _, _>(&moving, &test, &rules).total();
+//! let rate = distributional_curvature(&moving, &test, &rules).total();
 //! let centre = 13; // the vertex in the middle of 3 × 3 × 3
 //! assert!((rate[centre].eps - 0.5 * rate[centre].re).abs() < 1e-12 * rate[centre].re.abs());
 //! # Ok(())
@@ -154,12 +154,11 @@
 //! Lanes are as wide as the compiler's target allows, and the default for x86-64 is half of what nearly every machine has:
 //! build your program with `RUSTFLAGS="-C target-cpu=native"`. `scalar::Lanes::unused_width` tells whether that is missing.
 
+pub mod density;
 pub mod error;
 pub mod field;
 pub mod formulas;
 pub mod functional;
-pub mod hinge;
-pub mod hypersurface;
 pub mod interpolate;
 pub mod jet;
 pub mod linalg;
@@ -177,6 +176,14 @@ pub mod simplex;
 pub mod spaces;
 
 pub use error::Error;
+pub use field::TensorField;
+pub use functional::{Rules, distributional_curvature};
+pub use interpolate::Interpolant;
+pub use mesh::Mesh;
+pub use metrics::{Metric, Smooth};
+#[cfg(feature = "norms")]
+pub use norm::HMinus2;
+pub use spaces::{Lagrange, ReggeFunction, ReggeSpace};
 
 /// The example of the README, compiled and run.
 #[cfg(doctest)]

@@ -5,7 +5,7 @@
 //! [`boundary_curvature`](crate::functional::boundary_curvature) all of the Lagrange space may be taken.
 
 use crate::Error;
-use crate::field::TensorField;
+use crate::field::Evaluate;
 use crate::linalg::inverse_and_det;
 use crate::norm::factor::Factor;
 use crate::parallel::in_order;
@@ -37,7 +37,7 @@ impl Projection {
     ///
     /// # Errors
     /// If memory does not suffice, or g is not positive definite at the points of the rule.
-    pub fn new<const N: usize, G: TensorField<f64, N>>(
+    pub fn new<const N: usize, G: Evaluate<f64, N>>(
         g: &G,
         space: &Lagrange<N>,
         tested: Tested,
@@ -85,7 +85,7 @@ struct Mass {
 const NONE: u32 = u32::MAX;
 
 impl Mass {
-    fn new<const N: usize, G: TensorField<f64, N>>(
+    fn new<const N: usize, G: Evaluate<f64, N>>(
         g: &G,
         space: &Lagrange<N>,
         unknowns: &[usize],

@@ -30,12 +30,12 @@ fn the_total_with_the_boundary_is_four_pi_chi() {
         let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
         let g = (Interpolant::Canonical { order: 12 }).apply(&space, &smooth);
         let g = g.unwrap();
-        let rules = Rules::new::<2>(order);
-        let inner: f64 = distributional_curvature::<Lanes, 2, _>(&g, &hats, &rules)
+        let rules = Rules::new(2, order);
+        let inner: f64 = distributional_curvature(&g, &hats, &rules)
             .total()
             .iter()
             .sum();
-        let outer: f64 = boundary_curvature::<Lanes, 2, _>(&g, &hats, &rules)
+        let outer: f64 = boundary_curvature(&g, &hats, &rules)
             .total()
             .iter()
             .sum();
@@ -57,7 +57,7 @@ fn a_flat_cube_has_the_action_of_its_edges() {
     let g = (Interpolant::Canonical { order: 2 })
         .apply(&space, &flat)
         .unwrap();
-    let [inside, outside] = regge_action::<Lanes, 3, _>(&g, &mesh, &Rules::new::<3>(2));
+    let [inside, outside] = regge_action(&g, &mesh, &Rules::new(3, 2));
     assert!(inside.abs() < ROUNDING);
     assert!((outside - 12.0 * 2.0 * PI / 2.0).abs() < ROUNDING);
     let all = action_gradient(&g).unwrap();
@@ -78,14 +78,14 @@ fn the_integrals_simplex_by_simplex_add_up() {
     let g = (Interpolant::Canonical { order: 8 })
         .apply(&space, &smooth)
         .unwrap();
-    let rules = Rules::new::<3>(6);
-    let sums = distributional_curvature::<Lanes, 3, _>(&g, &hats, &rules);
-    let outer = boundary_curvature::<Lanes, 3, _>(&g, &hats, &rules);
-    let cells: f64 = cell_curvatures::<Lanes, 3, _>(&g, &mesh, &rules.cells)
+    let rules = Rules::new(3, 6);
+    let sums = distributional_curvature(&g, &hats, &rules);
+    let outer = boundary_curvature(&g, &hats, &rules);
+    let cells: f64 = cell_curvatures(&g, &mesh, &rules.cells)
         .iter()
         .sum();
     let faces = |list: Vec<(usize, f64)>| 2.0 * list.iter().map(|f| f.1).sum::<f64>();
-    let jumps = faces(face_jumps::<Lanes, 3, _>(&g, &mesh, &rules.faces));
+    let jumps = faces(face_jumps(&g, &mesh, &rules.faces));
     let bent = faces(boundary_mean_curvatures::<Lanes, 3, _>(
         &g,
         &mesh,
@@ -95,11 +95,11 @@ fn the_integrals_simplex_by_simplex_add_up() {
     assert!((jumps - sums.faces.iter().sum::<f64>()).abs() < ROUNDING);
     assert!((bent - outer.faces.iter().sum::<f64>()).abs() < ROUNDING);
     assert!(jumps.abs() > 1e-3 && bent.abs() > 1e-3 && cells.abs() > 1e-3);
-    let volume: f64 = cell_volumes::<f64, 3, _>(&g, &mesh, &rules.cells)
+    let volume: f64 = cell_volumes(&g, &mesh, &rules.cells)
         .iter()
         .sum();
     assert!(
-        (cell_volumes::<Lanes, 3, _>(&g, &mesh, &rules.cells)
+        (cell_volumes(&g, &mesh, &rules.cells)
             .iter()
             .sum::<f64>()
             - volume)
@@ -112,13 +112,13 @@ fn the_integrals_simplex_by_simplex_add_up() {
 fn against_all<const N: usize>(mesh: &Mesh<N>, degree: usize) {
     let space = ReggeSpace::new(mesh, degree);
     let g = random_regge(&space, 0.02, 3);
-    let rules = Rules::new::<N>(4);
-    let all = einstein_against::<Lanes, N, _>(&g, &space, &rules);
+    let rules = Rules::new(N, 4);
+    let all = einstein_against(&g, &space, &rules);
     let scale = all.total().iter().fold(0.0f64, |m, x| m.max(x.abs()));
     // Far above rounding: these metrics are curved.
     assert!(scale > 1e-4, "{scale}");
     for i in 0..space.len() {
-        let one = einstein::<Lanes, N, _, _>(&g, &BasisFunction::new(&space, i), mesh, &rules);
+        let one = einstein(&g, &BasisFunction::new(&space, i), mesh, &rules);
         for (a, b) in [all.cells[i], all.faces[i], all.hinges[i]].iter().zip(one) {
             assert!((a - b).abs() < ROUNDING * scale.max(1.0), "{i}: {a} {b}");
         }
@@ -137,15 +137,15 @@ fn the_einstein_tensor_against_all_functions_is_that_against_each() {
 fn gradient_is_the_derivative<const N: usize>(mesh: &Mesh<N>) {
     let space = ReggeSpace::new(mesh, 0);
     let g = random_regge(&space, 0.02, 5);
-    let rules = Rules::new::<N>(2);
+    let rules = Rules::new(N, 2);
     let all = action_gradient(&g).unwrap();
-    let einstein = einstein_against::<Lanes, N, _>(&g, &space, &rules).total();
+    let einstein = einstein_against(&g, &space, &rules).total();
     assert!(all.schlaefli < ROUNDING, "{}", all.schlaefli);
     for edge in 0..mesh.count(1) {
         let slope = 2.0 * g.coefficients()[edge].sqrt();
         let direction = BasisFunction::new(&space, edge);
         let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, slope), direction);
-        let [inside, outside] = regge_action::<Dual64, N, _>(&moving, mesh, &rules);
+        let [inside, outside] = regge_action(&moving, mesh, &rules);
         let (whole, regge) = (inside.eps + outside.eps, all.gradient[edge]);
         assert!((whole - regge).abs() < ROUNDING, "{edge}: {whole} {regge}");
         if mesh.is_interior(1, edge) {
@@ -166,7 +166,7 @@ fn regges_gradient_is_the_derivative_of_the_action() {
 fn gradient_obeys_euler<const N: usize>(mesh: &Mesh<N>) {
     let space = ReggeSpace::new(mesh, 0);
     let g = random_regge(&space, 0.02, 6);
-    let [inside, outside] = regge_action::<f64, N, _>(&g, mesh, &Rules::new::<N>(1));
+    let [inside, outside] = regge_action(&g, mesh, &Rules::new(N, 1));
     let gradient = action_gradient(&g).unwrap().gradient;
     let squares = g.coefficients().iter();
     let paired: f64 = (squares.zip(&gradient)).map(|(q, d)| q.sqrt() * d).sum();
@@ -268,7 +268,7 @@ mod projection {
         let u: Vec<f64> = (0..space.len()).map(value).collect();
         let basis = space.basis(N).tabulate::<f64>(rule.points());
         let table = TensorField::<f64, N>::tabulate(&g, rule.points());
-        let load = integrate::<f64, N>(&space, N, &rule, 0..mesh.cell_count(), |cell, _, q| {
+        let load = integrate(&space, N, &rule, 0..mesh.cell_count(), |cell, _, q| {
             let local = TensorField::<f64, N>::on_cell(&g, cell);
             let (_, det) = inverse_and_det(&g.value(&local, &table, q));
             let mine = space.cell_dofs(cell).zip(&basis[q]);
@@ -297,8 +297,8 @@ mod projection {
         let g = (Interpolant::Canonical { order: 10 })
             .apply(&regge, &smooth)
             .unwrap();
-        let rules = Rules::new::<2>(12);
-        let load = distributional_curvature::<Lanes, 2, _>(&g, &space, &rules).total();
+        let rules = Rules::new(2, 12);
+        let load = distributional_curvature(&g, &space, &rules).total();
         let projection = Projection::new(&g, &space, Tested::Interior, &rules.cells).unwrap();
         let r_h = projection.apply(&load);
         let middle = r_h[mesh.count(0) / 2];

@@ -37,10 +37,10 @@ fn error<const N: usize>(way: Way, degree: usize, level: u32) -> (f64, f64) {
         Way::Geodesic => geodesic_interpolant(&space, g.formula()),
     };
     let hm2 = HMinus2::new(&mesh, degree + 2).expect("a norm");
-    let rules = Rules::new::<N>(Rules::default_order(degree));
+    let rules = Rules::new(N, Rules::default_order(degree));
     let g_h = g_h.expect("a metric");
-    let mut load = distributional_curvature::<Lanes, _, _>(&g_h, hm2.space(), &rules).total();
-    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.cells);
+    let mut load = distributional_curvature(&g_h, hm2.space(), &rules).total();
+    let smooth = smooth_curvature(&g, hm2.space(), &rules);
     for (l, s) in load.iter_mut().zip(smooth) {
         *l -= s;
     }

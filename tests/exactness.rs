@@ -21,7 +21,7 @@ fn curvature<const N: usize, G: TensorField<f64, N>>(
     space: &Lagrange<N>,
     order: usize,
 ) -> Sums<f64> {
-    distributional_curvature::<f64, _, _>(g, space, &Rules::new::<N>(order))
+    distributional_curvature(g, space, &Rules::new(N, order))
 }
 
 /// ⟨Rω_dist, 1⟩ = 4πχ for every Regge metric on a closed surface (Gauss and Bonnet). The sums over cells and over
@@ -251,11 +251,11 @@ fn first_variation<const N: usize>(mesh: &Mesh<N>, degree: usize, order: usize, 
         random_regge(&space, 1.0, 22),
     );
     let test = Lagrange::new(mesh, 2);
-    let rules = Rules::new::<N>(order);
+    let rules = Rules::new(N, order);
     let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, 1.0), &sigma);
-    let left = distributional_curvature::<Dual64, _, _>(&moving, &test, &rules).total();
-    let b = b_h::<f64, _, _, _>(&g, &sigma, &test, &rules).total();
-    let a = a_h::<f64, _, _, _>(&g, &sigma, &test, &rules).total();
+    let left = distributional_curvature(&moving, &test, &rules).total();
+    let b = b_h(&g, &sigma, &test, &rules).total();
+    let a = a_h(&g, &sigma, &test, &rules).total();
     let scale = largest(&b).max(largest(&a));
     let mut tested = 0;
     for dof in (0..test.len()).filter(|&d| test.vanishes_on_boundary(d)) {
@@ -306,9 +306,9 @@ fn lanes_agree_with_f64() {
     let space = ReggeSpace::new(&mesh, 2);
     let g = random_regge(&space, 0.1, 2);
     let test = Lagrange::new(&mesh, 3);
-    let rules = Rules::new::<3>(7);
-    let one = distributional_curvature::<f64, _, _>(&g, &test, &rules);
-    let four = distributional_curvature::<Lanes, _, _>(&g, &test, &rules);
+    let rules = Rules::new(3, 7);
+    let one = distributional_curvature(&g, &test, &rules);
+    let four = distributional_curvature(&g, &test, &rules);
     for (a, b) in [
         (&one.cells, &four.cells),
         (&one.faces, &four.faces),

@@ -18,7 +18,7 @@ fn compare<const N: usize>(oracle: &Oracle) {
     let space = oracle.space(&mesh);
     let g = oracle.metric(&space);
     let hats = Lagrange::new(&mesh, 1);
-    let sums = distributional_curvature::<f64, _, _>(&g, &hats, &Rules::new::<N>(20));
+    let sums = distributional_curvature(&g, &hats, &Rules::new(N, 20));
     let scale = oracle.curvature.largest();
     for (i, &vertex) in oracle.curvature.vertex.iter().enumerate() {
         let ours = [sums.cells[vertex], sums.faces[vertex], sums.hinges[vertex]];
@@ -61,15 +61,15 @@ fn the_integral_formula_holds_on_an_oracle() {
     let g_h = oracle.metric(&space);
     let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
     let test = Lagrange::new(&mesh, 4);
-    let rules = Rules::new::<3>(24);
-    let mut difference = distributional_curvature::<Lanes, _, _>(&g_h, &test, &rules).total();
-    let smooth = smooth_curvature::<Lanes, _, _>(&g, &test, &rules.cells);
+    let rules = Rules::new(3, 24);
+    let mut difference = distributional_curvature(&g_h, &test, &rules).total();
+    let smooth = smooth_curvature(&g, &test, &rules);
     let sigma = Combination::new(-Lanes::one(), &g, Lanes::one(), &g_h);
     let (nodes, weights) = gauss_legendre(6);
     for (t, w) in nodes.into_iter().zip(weights) {
         let segment = Combination::segment(&g, &g_h, Lanes::from_f64(t));
-        let b = b_h::<Lanes, _, _, _>(&segment, &sigma, &test, &rules).total();
-        let a = a_h::<Lanes, _, _, _>(&segment, &sigma, &test, &rules).total();
+        let b = b_h(&segment, &sigma, &test, &rules).total();
+        let a = a_h(&segment, &sigma, &test, &rules).total();
         for (i, d) in difference.iter_mut().enumerate() {
             *d -= w * (b[i] - a[i]);
         }

@@ -24,9 +24,9 @@ fn error<const N: usize>(oracle: &Oracle, mesh: &Mesh<N>, g_h: &ReggeFunction<f6
         .1;
     let g = Smooth::new(mesh, named).expect("coordinates");
     let hm2 = HMinus2::new(mesh, oracle.degree + 2).expect("a norm");
-    let rules = Rules::new::<N>(20);
-    let mut load = distributional_curvature::<Lanes, _, _>(g_h, hm2.space(), &rules).total();
-    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.cells);
+    let rules = Rules::new(N, 20);
+    let mut load = distributional_curvature(g_h, hm2.space(), &rules).total();
+    let smooth = smooth_curvature(&g, hm2.space(), &rules);
     for (l, s) in load.iter_mut().zip(smooth) {
         *l -= s;
     }

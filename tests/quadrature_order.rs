@@ -12,10 +12,10 @@ use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 
 /// The H⁻² error with all rules of the curvature of this order.
 fn error<const N: usize>(g_h: &ReggeFunction<f64, N>, hm2: &HMinus2<N>, order: usize) -> f64 {
-    let rules = Rules::new::<N>(order);
+    let rules = Rules::new(N, order);
     let g = Smooth::new(hm2.space().mesh(), Metric::GraphQuartic).expect("coordinates");
-    let mut load = distributional_curvature::<Lanes, _, _>(g_h, hm2.space(), &rules).total();
-    let smooth = smooth_curvature::<Lanes, _, _>(&g, hm2.space(), &rules.cells);
+    let mut load = distributional_curvature(g_h, hm2.space(), &rules).total();
+    let smooth = smooth_curvature(&g, hm2.space(), &rules);
     for (l, s) in load.iter_mut().zip(smooth) {
         *l -= s;
     }

@@ -63,7 +63,7 @@ fn defects_and_total<const N: usize>() {
         near(defect, theta);
         near(size, volume);
     }
-    let sums = distributional_curvature::<f64, N, _>(&g, &hats, &Rules::new::<N>(3));
+    let sums = distributional_curvature(&g, &hats, &Rules::new(N, 3));
     let [cells, faces, hinges] = sums.pair(&vec![1.0; hats.len()]);
     assert_eq!([cells, faces], [0.0; 2]);
     near(hinges, 2.0 * theta * volume * defects.len() as f64);
@@ -81,12 +81,12 @@ fn angle_defects_of_regular_spheres() {
 fn einstein_tensor<const N: usize>() {
     let mesh = Mesh::<N>::simplex_boundary().expect("a sphere");
     let space = ReggeSpace::new(&mesh, 0);
-    let (g, rules) = (unit(&space), Rules::new::<N>(1));
+    let (g, rules) = (unit(&space), Rules::new(N, 1));
     let hinges = mesh.count(N - 2) as f64 * Regular::<N>::defect() * Regular::<N>::hinge();
     let expected = -(N as f64 - 2.0) * hinges;
-    let whole = einstein::<f64, N, _, _>(&g, &g, &mesh, &rules);
+    let whole = einstein(&g, &g, &mesh, &rules);
     near(whole.iter().sum(), expected);
-    for part in einstein_against::<f64, N, _>(&g, &space, &rules).total() {
+    for part in einstein_against(&g, &space, &rules).total() {
         near(part, expected / mesh.count(1) as f64);
     }
 }
@@ -104,9 +104,9 @@ fn einstein_tensor_of_regular_spheres() {
 fn action_and_derivatives<const N: usize>() {
     let mesh = Mesh::<N>::simplex_boundary().expect("a sphere");
     let space = ReggeSpace::new(&mesh, 0);
-    let (g, rules) = (unit(&space), Rules::new::<N>(1));
+    let (g, rules) = (unit(&space), Rules::new(N, 1));
     let action = mesh.count(N - 2) as f64 * Regular::<N>::defect() * Regular::<N>::hinge();
-    let [inside, outside] = regge_action::<f64, N, _>(&g, &mesh, &rules);
+    let [inside, outside] = regge_action(&g, &mesh, &rules);
     near(inside, action);
     assert_eq!(outside, 0.0);
     let slope = (N as f64 - 2.0) * action / mesh.count(1) as f64;
@@ -131,7 +131,7 @@ fn boundary<const N: usize>() {
     let mesh = Mesh::<N>::single().expect("a simplex");
     let space = ReggeSpace::new(&mesh, 0);
     let (g, hats) = (unit(&space), Lagrange::new(&mesh, 1));
-    let outer = boundary_curvature::<f64, N, _>(&g, &hats, &Rules::new::<N>(1)).total();
+    let outer = boundary_curvature(&g, &hats, &Rules::new(N, 1)).total();
     let hinges = mesh.count(N - 2) as f64 * Regular::<N>::hinge();
     near(
         outer.iter().sum(),

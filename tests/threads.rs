@@ -17,11 +17,11 @@ fn with_threads(threads: usize) -> [Sums<f64>; 3] {
         let space = ReggeSpace::new(&mesh, 1);
         let (g, sigma) = (random_regge(&space, 0.1, 1), random_regge(&space, 1.0, 2));
         let test = Lagrange::new(&mesh, 2);
-        let rules = Rules::new::<3>(5);
+        let rules = Rules::new(3, 5);
         [
-            distributional_curvature::<Lanes, _, _>(&g, &test, &rules),
-            a_h::<Lanes, _, _, _>(&g, &sigma, &test, &rules),
-            b_h::<Lanes, _, _, _>(&g, &sigma, &test, &rules),
+            distributional_curvature(&g, &test, &rules),
+            a_h(&g, &sigma, &test, &rules),
+            b_h(&g, &sigma, &test, &rules),
         ]
     })
 }

@@ -65,12 +65,12 @@ where
         .apply(&space, &g)
         .expect("a metric");
     let test = Lagrange::new(&mesh, job.test_degree);
-    let rules = Rules::new::<N>(2 * (job.degree + 2));
+    let rules = Rules::new(N, 2 * (job.degree + 2));
     let mut best = f64::INFINITY;
     let mut sums: Option<Sums<T::Sum>> = None;
     for _ in 0..job.repeats {
         let start = Instant::now();
-        sums = Some(distributional_curvature::<T, _, _>(&g_h, &test, &rules));
+        sums = Some(distributional_curvature(&g_h, &test, &rules));
         best = best.min(start.elapsed().as_secs_f64());
     }
     let sums = sums.expect("at least one run");

@@ -1,120 +1,148 @@
-//! The distributional Einstein tensor against every Regge basis function at once.
-//!
-//! ⟨(Gω)_dist(g), σ⟩ is linear in the edge components q_ab of σ. At a quadrature point it is contracted with the
-//! tensors that have one edge component 1 and the others 0; Bernstein's polynomials do the rest.
+//! The form a_h and the distributional Einstein tensor. Paper: thm:distcurvdot, def:distein.
 
-use super::local::Wedges;
-use super::site::weights;
-use super::{Rules, Sums};
-use crate::field::TensorField;
-use crate::formulas::{Formulas, Paper};
-use crate::hinge::Hinge;
-use crate::hypersurface::{Normal, mean_curvature, outward};
-use crate::jet::{Jet1, lower};
-use crate::linalg::{Mat, Vector, inverse_and_det};
-use crate::mesh::Slot;
-use crate::parallel::in_order;
-use crate::quadrature::Rule;
-use crate::riemann::{Connection, Curvature};
-use crate::scalar::{Field, Real};
-use crate::simplex::{Bernstein, Points, subsets};
-use crate::spaces::ReggeSpace;
+use super::seen::{OnCell, Seen, Sites, all_sites};
+use super::walk::{Density, Where, pair};
+use super::{Rules, Sums, Three};
+use crate::field::{Evaluate, TensorField};
+use crate::formulas::Formulas;
+use crate::linalg::Mat;
+use crate::mesh::Mesh;
+use crate::scalar::Real;
+use crate::simplex::subsets;
+use crate::spaces::{Lagrange, ReggeSpace, Scalar, Symmetric, TestSpace, Value};
+use std::f64::consts::PI;
+
+/// a_h(g; σ, v) = Σ_T ∫ ⟨G, σ⟩ v ω + Σ̊_F ∫ ⟨⟦II‾⟧, σ|_F⟩ v ω_F − Σ̊_S ∫ ⟨Θ_S g|_S, σ|_S⟩ v ω_S for every v.
+///
+/// Paper: thm:distcurvdot.
+pub fn a_h<const N: usize, G: TensorField<N>, H: Evaluate<G::Wide, N>>(
+    g: &G,
+    sigma: &H,
+    space: &impl TestSpace<N, Value = Scalar>,
+    rules: &Rules,
+) -> Sums<G::Scalar> {
+    let sites = all_sites(N, rules);
+    let against = Field {
+        sigma,
+        tables: sites.each_ref().map(|sites| sites.tables(sigma)),
+    };
+    against_all::<G::Wide, N, G, _>(g, &against, space, &sites, rules)
+}
+
+/// ⟨(Gω)_dist(g), σ⟩ as its three sums: a_h with v = 1. Paper: def:distein.
+pub fn einstein<const N: usize, G: TensorField<N>, H: Evaluate<G::Wide, N>>(
+    g: &G,
+    sigma: &H,
+    mesh: &Mesh<N>,
+    rules: &Rules,
+) -> Three<G::Scalar> {
+    // The hat functions add up to one.
+    let hats = Lagrange::new(mesh, 1);
+    a_h(g, sigma, &hats, rules).pair(&vec![1.0; hats.len()])
+}
 
 /// ⟨(Gω)_dist(g), ψ_i⟩ for every basis function ψ_i of a Regge space. Paper: def:distein.
 ///
 /// Functions that do not vanish on the boundary are tested as they are: no boundary term is added. The same numbers as
-/// [`einstein`](super::einstein) gives one by one.
-pub fn einstein_against<T: Real, const N: usize, G: TensorField<T, N>>(
+/// [`einstein`] gives one by one.
+pub fn einstein_against<const N: usize, G: TensorField<N>>(
     g: &G,
     space: &ReggeSpace<N>,
     rules: &Rules,
-) -> Sums<T::Sum> {
-    let mut sums = Sums::zero(space.len());
-    if !g.is_constant() {
-        sums.cells = element_sum::<T, N, G>(g, space, &rules.cells);
-        sums.faces = face_sum::<T, N, G>(g, space, &rules.faces);
-    }
-    sums.hinges = hinge_sum::<T, N, G>(g, space, &rules.hinges);
-    sums
+) -> Sums<G::Scalar> {
+    let sites = all_sites(N, rules);
+    let against = EdgeComponents {
+        units: sites.each_ref().map(unit_tensors),
+    };
+    against_all::<G::Wide, N, G, _>(g, &against, space, &sites, rules)
 }
 
-/// The k-simplices of a cell, by place, with the traces of Regge functions on them.
-struct Traces<T: Real, const N: usize> {
-    k: usize,
-    /// The rule's points as the cell sees them.
-    points: Vec<Points>,
-    weights: Vec<T>,
-    /// B_α at the points, `[block][α]`.
-    basis: Vec<Vec<T>>,
-    /// The tensors with one edge component, of each edge of the simplex.
-    units: Vec<Vec<Mat<T, N>>>,
-    /// Where the coefficients are numbered, by edge, then by α.
-    slots: Vec<Vec<Slot>>,
-}
-
-impl<T: Real, const N: usize> Traces<T, N> {
-    fn new(k: usize, rule: &Rule, space: &ReggeSpace<N>) -> Self {
-        let places = subsets(N + 1, k + 1);
-        let edges = |on: &Vec<usize>| {
-            let pairs = subsets(k + 1, 2).into_iter();
-            pairs.map(|e| unit_tensor(on[e[0]], on[e[1]])).collect()
-        };
-        Self {
-            k,
-            points: (places.iter().map(|on| rule.points().embed(on, N + 1))).collect(),
-            weights: weights(rule),
-            basis: Bernstein::new(k + 1, space.degree()).tabulate(rule.points()),
-            units: places.iter().map(edges).collect(),
-            slots: places.iter().map(|on| space.trace_slots(on)).collect(),
-        }
-    }
-
-    fn tables<G: TensorField<T, N>>(&self, g: &G) -> Vec<G::Table> {
-        self.points
-            .iter()
-            .map(|points| g.tabulate(points))
-            .collect()
-    }
-
-    /// acc[edge, α] += contract(unit tensor) · w · B_α at a block of points.
-    fn accumulate(
+/// What G ω, II‾ ω_F and −Θ g|_S ω_S are contracted with before they meet the test functions.
+trait Against<T: Real, const N: usize>: Sync {
+    /// The values of the test functions that are left.
+    type Value: Value;
+    /// What is prepared for a cell.
+    type Local;
+    fn on_cell(&self, cell: usize) -> Self::Local;
+    /// Is it constant on every cell?
+    fn is_constant(&self) -> bool;
+    /// Calls `take` with each of the tensors on a simplex of this codimension and place at a block of points.
+    fn each(
         &self,
+        at: &Self::Local,
+        codimension: usize,
         place: usize,
         block: usize,
-        acc: &mut [T],
-        contract: impl Fn(&Mat<T, N>) -> T,
-    ) {
-        let basis = &self.basis[block];
-        for (unit, acc) in (self.units[place].iter()).zip(acc.chunks_exact_mut(basis.len())) {
-            let density = contract(unit) * self.weights[block];
-            for (a, b) in acc.iter_mut().zip(basis) {
-                *a += density * *b;
-            }
-        }
+        take: impl FnMut(&Mat<T, N>),
+    );
+}
+
+/// A field σ: numbers are left.
+struct Field<'a, H, Table> {
+    sigma: &'a H,
+    tables: [Vec<Table>; 3],
+}
+
+impl<T: Real, const N: usize, H: Evaluate<T, N>> Against<T, N> for Field<'_, H, H::Table> {
+    type Value = Scalar;
+    type Local = H::Local;
+
+    fn on_cell(&self, cell: usize) -> H::Local {
+        self.sigma.on_cell(cell)
     }
 
-    /// Σ over k-simplices of what `local` adds up, in their order whatever the threads do.
-    fn sum(
-        &self,
-        space: &ReggeSpace<N>,
-        simplices: Vec<usize>,
-        local: impl Fn(usize, &mut [T]) + Sync,
-    ) -> Vec<T::Sum> {
-        let mesh = space.mesh();
-        let mut sum = vec![T::Sum::zero(); space.len()];
-        let on_simplex = |i: usize| {
-            let mut acc = vec![T::zero(); self.slots[0].len()];
-            local(simplices[i], &mut acc);
-            acc.into_iter().map(T::reduce).collect::<Vec<T::Sum>>()
-        };
-        in_order(simplices.len(), on_simplex, |i, values| {
-            let side = mesh.first_side(self.k, simplices[i]);
-            for (&slot, value) in self.slots[side.place].iter().zip(values) {
-                sum[space.numbering().of_cell(mesh, side.cell, slot)] += value;
-            }
-        });
-        sum
+    fn is_constant(&self) -> bool {
+        self.sigma.is_constant()
     }
+
+    #[inline]
+    fn each(
+        &self,
+        at: &H::Local,
+        codimension: usize,
+        place: usize,
+        block: usize,
+        mut take: impl FnMut(&Mat<T, N>),
+    ) {
+        take(&self.sigma.value(at, &self.tables[codimension][place], block));
+    }
+}
+
+/// The tensors with one edge component 1 and all others 0, of each edge of the simplex: the directions of [`Symmetric`].
+struct EdgeComponents<T: Real, const N: usize> {
+    /// By codimension, place and edge.
+    units: [Vec<Vec<Mat<T, N>>>; 3],
+}
+
+impl<T: Real, const N: usize> Against<T, N> for EdgeComponents<T, N> {
+    type Value = Symmetric;
+    type Local = ();
+
+    fn on_cell(&self, _cell: usize) {}
+
+    fn is_constant(&self) -> bool {
+        true
+    }
+
+    #[inline]
+    fn each(
+        &self,
+        (): &(),
+        codimension: usize,
+        place: usize,
+        _block: usize,
+        take: impl FnMut(&Mat<T, N>),
+    ) {
+        self.units[codimension][place].iter().for_each(take);
+    }
+}
+
+fn unit_tensors<T: Real, const N: usize>(sites: &Sites) -> Vec<Vec<Mat<T, N>>> {
+    let edges = |on: &Vec<usize>| {
+        let pairs = subsets(on.len(), 2).into_iter();
+        pairs.map(|e| unit_tensor(on[e[0]], on[e[1]])).collect()
+    };
+    sites.vertices.iter().map(edges).collect()
 }
 
 /// The tensor whose edge component q_ab is 1 and all others 0: g_ij = ½(q_0i + q_0j − q_ij).
@@ -126,91 +154,97 @@ fn unit_tensor<T: Real, const N: usize>(a: usize, b: usize) -> Mat<T, N> {
     })
 }
 
-/// Σ_T ∫ ⟨G, ψ⟩ ω.
-fn element_sum<T: Real, const N: usize, G: TensorField<T, N>>(
+fn against_all<T: Real, const N: usize, G: Evaluate<T, N>, A: Against<T, N>>(
     g: &G,
-    space: &ReggeSpace<N>,
-    rule: &Rule,
-) -> Vec<T::Sum> {
-    let traces = Traces::<T, N>::new(N, rule, space);
-    let table = g.tabulate(rule.points());
-    traces.sum(
-        space,
-        (0..space.mesh().cell_count()).collect(),
-        |cell, acc| {
-            let local = g.on_cell(cell);
-            for block in 0..traces.weights.len() {
-                let g = g.jet2(&local, &table, block);
-                let connection = Connection::new(&lower(&g));
-                let einstein = Curvature::new(&g, &connection).einstein();
-                let omega = connection.det.sqrt();
-                traces.accumulate(0, block, acc, |psi| {
-                    connection.inner(&einstein, psi) * omega
-                });
-            }
-        },
-    )
+    against: &A,
+    space: &dyn TestSpace<N, Value = A::Value>,
+    sites: &[Sites; 3],
+    rules: &Rules,
+) -> Sums<T::Sum> {
+    let formulas = &rules.formulas;
+    let density = Einstein {
+        seen: Seen::<T, N, G>::new(g, sites, formulas),
+        against,
+        formulas,
+        angle: T::from_f64(PI) * T::from_int(formulas.full_angle),
+    };
+    let mut sums = pair(space.mesh(), &density, Where::Interior, &[space], rules);
+    sums.pop().expect("one space, one result")
 }
 
-/// Σ̊_F ∫ ⟨⟦II‾⟧, ψ|_F⟩ ω_F, from both cells.
-fn face_sum<T: Real, const N: usize, G: TensorField<T, N>>(
-    g: &G,
-    space: &ReggeSpace<N>,
-    rule: &Rule,
-) -> Vec<T::Sum> {
-    let mesh = space.mesh();
-    let traces = Traces::<T, N>::new(N - 1, rule, space);
-    let tables = traces.tables(g);
-    traces.sum(space, mesh.interior_faces().collect(), |face, acc| {
-        for side in mesh.star(N - 1, face) {
-            let local = g.on_cell(side.cell);
-            let nu: Vector<T, N> = outward(N - side.place);
-            for block in 0..traces.weights.len() {
-                let connection = Connection::new(&g.jet1(&local, &tables[side.place], block));
-                let normal = Normal::new(&connection.inverse, &nu);
-                let form = Paper::second_form(&connection, &nu.map(Jet1::constant), &normal);
-                let h = mean_curvature(&normal, &form);
-                let reversed = Paper::trace_reversed(&connection.g, &form, h);
-                let omega_f = normal.length * connection.det.sqrt();
-                traces.accumulate(side.place, block, acc, |psi| {
-                    normal.inner(&reversed, psi) * omega_f
-                });
-            }
-        }
-    })
+/// G ω, II‾ ω_F, −Θ_S g|_S ω_S, contracted.
+struct Einstein<'a, T: Real, const N: usize, G: Evaluate<T, N>, A> {
+    seen: Seen<'a, T, N, G>,
+    against: &'a A,
+    formulas: &'a Formulas,
+    angle: T,
 }
 
-/// −Σ̊_S ∫ Θ_S Tr(ψ|_S) ω_S.
-fn hinge_sum<T: Real, const N: usize, G: TensorField<T, N>>(
-    g: &G,
-    space: &ReggeSpace<N>,
-    rule: &Rule,
-) -> Vec<T::Sum> {
-    if N == 2 {
-        // A vertex has no tangent, and Regge functions no value there.
-        return vec![T::Sum::zero(); space.len()];
+impl<T, const N: usize, G, A> Density<T, N> for Einstein<'_, T, N, G, A>
+where
+    T: Real,
+    G: Evaluate<T, N>,
+    A: Against<T, N>,
+{
+    type Value = A::Value;
+    type Local = (OnCell<G::Local, T, N>, A::Local);
+
+    fn sums(&self) -> [bool; 3] {
+        let curved = !self.seen.g.is_constant();
+        [curved, curved, true]
     }
-    let mesh = space.mesh();
-    let traces = Traces::<T, N>::new(N - 2, rule, space);
-    let (tables, wedges) = (traces.tables(g), Wedges::<T, N, G>::new(g, rule));
-    let two_pi = T::from_f64(std::f64::consts::TAU);
-    let places = subsets(N + 1, N - 1);
-    traces.sum(space, mesh.interior_hinges().collect(), |hinge, acc| {
-        let side = mesh.first_side(N - 2, hinge);
-        let local = g.on_cell(side.cell);
-        let mut nu = (0..=N)
-            .filter(|v| !places[side.place].contains(v))
-            .map(outward::<T, N>);
-        let (Some(a), Some(b)) = (nu.next(), nu.next()) else {
-            return;
-        };
-        for (block, (angle, omega_s)) in wedges.around(mesh, hinge).into_iter().enumerate() {
-            let (inverse, _) = inverse_and_det(&g.value(&local, &tables[side.place], block));
-            let corner = Hinge::new(&inverse, [&a, &b]);
-            let density = (angle - two_pi) * omega_s;
-            traces.accumulate(side.place, block, acc, |psi| {
-                corner.trace(&inverse, psi) * density
+
+    fn is_constant_on_hinges(&self) -> bool {
+        self.seen.g.is_constant() && self.against.is_constant()
+    }
+
+    fn on_cell(&self, cell: usize) -> Self::Local {
+        (self.seen.on_cell(cell), self.against.on_cell(cell))
+    }
+
+    #[inline]
+    fn in_cell(&self, (g, at): &Self::Local, block: usize, out: &mut [T]) {
+        self.seen.inside(g, block, |inside, connection| {
+            let (einstein, omega) = inside.einstein();
+            let factor = omega * T::from_int(self.formulas.a_cells);
+            let mut out = out.iter_mut();
+            self.against.each(at, 0, 0, block, |psi| {
+                *out.next().expect("a number for each tensor") =
+                    connection.inner(&einstein, psi) * factor;
             });
-        }
-    })
+        });
+    }
+
+    #[inline]
+    fn on_face(&self, (g, at): &Self::Local, place: usize, block: usize, out: &mut [T]) {
+        self.seen.side(g, place, block, |side| {
+            let reversed = side.trace_reversed();
+            let factor = side.normal.omega * T::from_int(self.formulas.a_faces);
+            let mut out = out.iter_mut();
+            self.against.each(at, 1, place, block, |psi| {
+                *out.next().expect("a number for each tensor") =
+                    side.normal.inner(&reversed, psi) * factor;
+            });
+        });
+    }
+
+    #[inline]
+    fn at_hinge(
+        &self,
+        (g, at): &Self::Local,
+        place: usize,
+        block: usize,
+        first: bool,
+        out: &mut [T],
+    ) {
+        let start = if first { self.angle } else { T::zero() };
+        self.seen.corner(g, place, block, |corner| {
+            let factor = T::from_int(self.formulas.a_hinges);
+            let density = (start - corner.angle()) * corner.omega() * factor;
+            let mut out = out.iter_mut();
+            self.against.each(at, 2, place, block, |psi| {
+                *out.next().expect("a number for each tensor") = corner.trace(psi) * density;
+            });
+        });
+    }
 }

@@ -4,7 +4,7 @@
 //! ℓ_{D,ab,β}(g) = ∫_D q_ab λ^β dμ, ab an edge of D, |β| = r−k+1, dμ the reference measure of D (1/k! in all). The
 //! integrals of different edges have nothing to do with each other, so that the dual basis is found edge by edge.
 
-use crate::field::TensorField;
+use crate::field::Evaluate;
 use crate::mesh::Slot;
 use crate::quadrature::Rule;
 use crate::scalar::{Lift, Real};
@@ -142,7 +142,7 @@ impl<const N: usize> Canonical<N> {
     }
 
     /// ℓ(g) for every degree of freedom, g seen from the first cell around each simplex, by rules of this order.
-    pub fn evaluate<T: Real<Sum = T>, G: TensorField<T, N>>(&self, g: &G, order: usize) -> Vec<T> {
+    pub fn evaluate<T: Real<Sum = T>, G: Evaluate<T, N>>(&self, g: &G, order: usize) -> Vec<T> {
         let mesh = self.space.mesh();
         let mut values = vec![T::zero(); self.space.len()];
         for (k, on) in (1..).zip(&self.on) {

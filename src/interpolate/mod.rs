@@ -11,7 +11,7 @@ pub use geodesic::{geodesic_interpolant, geodesic_length};
 pub use projection::Projection;
 
 use crate::Error;
-use crate::field::TensorField;
+use crate::field::Evaluate;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
 use crate::spaces::{ReggeFunction, ReggeSpace, check_positive};
@@ -37,7 +37,7 @@ impl Interpolant {
     /// # Errors
     /// If g or the interpolant is not positive definite at the points of a rule of order 2r + 2 (named by cell and
     /// point), or the projection's rule has too few points.
-    pub fn apply<const N: usize, G: TensorField<f64, N>>(
+    pub fn apply<const N: usize, G: Evaluate<f64, N>>(
         &self,
         space: &ReggeSpace<N>,
         g: &G,

@@ -1,7 +1,7 @@
 //! The local L² projection of a field, cell by cell.
 
 use crate::Error;
-use crate::field::TensorField;
+use crate::field::Evaluate;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
 use crate::simplex::{Bernstein, subsets};
@@ -28,7 +28,7 @@ impl Projection {
     }
 
     /// Coefficients of the projections of all edge components on all cells: `[cell][edge][α]`.
-    pub(super) fn project<const N: usize, G: TensorField<f64, N>>(
+    pub(super) fn project<const N: usize, G: Evaluate<f64, N>>(
         &self,
         space: &ReggeSpace<N>,
         g: &G,

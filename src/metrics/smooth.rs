@@ -1,11 +1,11 @@
 //! Metrics given by a formula in the coordinates of ℝ^N, pulled back to the cells of a mesh.
 
 use crate::Error;
-use crate::field::TensorField;
+use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::{Mat, Vector, symmetric, zeros};
 use crate::mesh::Mesh;
-use crate::scalar::Real;
+use crate::scalar::{Number, Real};
 use crate::simplex::Points;
 
 /// A symmetric tensor by a formula. It is evaluated at jets of x, which makes its derivatives exact.
@@ -92,7 +92,7 @@ impl<const N: usize> AffineMap<N> {
     }
 }
 
-impl<T: Real, M: SmoothTensor<N>, const N: usize> TensorField<T, N> for Smooth<M, N> {
+impl<T: Real, M: SmoothTensor<N>, const N: usize> Evaluate<T, N> for Smooth<M, N> {
     /// Reference coordinates ξ by blocks.
     type Table = Vec<[T; N]>;
     type Local = AffineMap<N>;
@@ -104,10 +104,10 @@ impl<T: Real, M: SmoothTensor<N>, const N: usize> TensorField<T, N> for Smooth<M
     }
 
     fn on_cell(&self, cell: usize) -> AffineMap<N> {
-        // The constructor saw to it that there are coordinates.
+        let known = "the constructor saw to it that there are coordinates";
         AffineMap {
-            origin: self.mesh.corner(cell, 0).unwrap_or_else(Vector::zeros),
-            jacobian: self.mesh.jacobian(cell).unwrap_or_else(zeros),
+            origin: self.mesh.corner(cell, 0).expect(known),
+            jacobian: self.mesh.jacobian(cell).expect(known),
         }
     }
 
@@ -124,4 +124,9 @@ impl<T: Real, M: SmoothTensor<N>, const N: usize> TensorField<T, N> for Smooth<M
     fn value(&self, map: &AffineMap<N>, table: &Self::Table, block: usize) -> Mat<T, N> {
         map.pull_back(&self.formula.at(&map.point(&table[block])))
     }
+}
+
+impl<M: SmoothTensor<N>, const N: usize> TensorField<N> for Smooth<M, N> {
+    type Scalar = f64;
+    type Wide = <f64 as Number>::Wide;
 }

@@ -1,6 +1,7 @@
 //! The curvature at a point, with all indices lowered: no derivative of Γ or g⁻¹ is needed.
 
 use super::Connection;
+use crate::formulas::Formulas;
 use crate::jet::Jet2;
 use crate::linalg::{Mat, symmetric};
 use crate::scalar::Field;
@@ -67,9 +68,9 @@ impl<'g, T: Field, const N: usize> Curvature<'g, T, N> {
 
     /// G = Ric − ½ R g.
     #[inline]
-    pub fn einstein(&self) -> Mat<T, N> {
+    pub fn einstein(&self, formulas: &Formulas) -> Mat<T, N> {
         let ricci = self.ricci();
-        let half_r = self.connection.trace(&ricci) * T::half();
+        let half_r = self.connection.trace(&ricci) * T::ratio(formulas.einstein, 2);
         symmetric(|i, j| ricci[(i, j)] - half_r * self.connection.g[(i, j)])
     }
 }

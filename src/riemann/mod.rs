@@ -7,6 +7,7 @@ mod curvature;
 
 pub use curvature::Curvature;
 
+use crate::formulas::Formulas;
 use crate::jet::{Jet, Jet1, Jet2, lower};
 use crate::linalg::{
     Mat, Vector, double_contract, fill_symmetric, inverse_and_det, matrix, sandwich, symmetric,
@@ -50,11 +51,12 @@ pub fn inner<F: Field, const N: usize>(inverse: &Mat<F, N>, a: &Mat<F, N>, b: &M
 /// 𝕊σ = σ − g Tr σ. Paper: prop:curvdot.
 #[inline]
 pub fn reverse_trace<F: Field, const N: usize>(
+    formulas: &Formulas,
     g: &Mat<F, N>,
     inverse: &Mat<F, N>,
     sigma: &Mat<F, N>,
 ) -> Mat<F, N> {
-    let tr = trace(inverse, sigma);
+    let tr = trace(inverse, sigma) * F::ratio(formulas.reverse_trace_halves, 2);
     symmetric(|i, j| sigma[(i, j)] - g[(i, j)] * tr)
 }
 
@@ -103,8 +105,8 @@ impl<F: Field, const N: usize> Connection<F, N> {
 
     /// 𝕊σ = σ − g Tr σ.
     #[inline]
-    pub fn reverse_trace(&self, sigma: &Mat<F, N>) -> Mat<F, N> {
-        reverse_trace(&self.g, &self.inverse, sigma)
+    pub fn reverse_trace(&self, formulas: &Formulas, sigma: &Mat<F, N>) -> Mat<F, N> {
+        reverse_trace(formulas, &self.g, &self.inverse, sigma)
     }
 
     /// α^♯: the index of a one-form raised.
@@ -221,8 +223,8 @@ impl<T: Field, const N: usize> Connection<Jet1<T, N>, N> {
 
     /// [`Curvature::einstein`].
     #[inline]
-    pub fn einstein(&self) -> Mat<T, N> {
-        Curvature::new(&self.metric(), &self.lower()).einstein()
+    pub fn einstein(&self, formulas: &Formulas) -> Mat<T, N> {
+        Curvature::new(&self.metric(), &self.lower()).einstein(formulas)
     }
 
     /// div div σ = g^jm ∇_m (div σ)_j.

@@ -1,6 +1,6 @@
 //! f64 and every copyable scalar of num-dual, by one blanket implementation.
 
-use super::{Algebraic, Field, Lift, Real};
+use super::{Algebraic, Field, Lift, Number, Real};
 use num_dual::{
     Dual, Dual2, Dual3, DualNum, DualNumCopy, DualSVec, DualStruct, HyperDual, HyperHyperDual,
 };
@@ -84,6 +84,12 @@ macro_rules! lift_to_itself {
                 self
             }
         }
+        impl<T> Number for $dual<T>
+        where
+            $dual<T>: DualNumCopy + DualNum<Primitive = f64>,
+        {
+            type Wide = Self;
+        }
     )*};
 }
 lift_to_itself!(Dual, Dual2, Dual3, HyperDual, HyperHyperDual);
@@ -93,4 +99,11 @@ impl<T: DualNum<Primitive = f64>, const D: usize> Lift<DualSVec<T, D>> for DualS
     fn lift(self) -> DualSVec<T, D> {
         self
     }
+}
+
+impl<T: DualNum<Primitive = f64>, const D: usize> Number for DualSVec<T, D>
+where
+    DualSVec<T, D>: DualNumCopy + DualNum<Primitive = f64>,
+{
+    type Wide = Self;
 }

@@ -138,6 +138,22 @@ impl<T: Real> Lift<T> for f64 {
     }
 }
 
+/// A scalar that holds one number a point, as coefficients and factors do, and the one in which it goes through the kernels.
+pub trait Number: Real<Sum = Self> + Lift<Self> + Lift<Self::Wide> {
+    /// As many points side by side as is fast: `Lanes` for `f64` where the feature `lanes` is on, else the scalar itself.
+    type Wide: Real<Sum = Self>;
+}
+
+#[cfg(feature = "lanes")]
+impl Number for f64 {
+    type Wide = Lanes;
+}
+
+#[cfg(not(feature = "lanes"))]
+impl Number for f64 {
+    type Wide = f64;
+}
+
 /// x^n for a whole exponent n ≥ 0, by multiplication.
 pub fn power<T: Field>(x: T, n: u32) -> T {
     (0..n).fold(T::one(), |product, _| product * x)

@@ -1,10 +1,10 @@
 //! One function of the basis, as a field of its own.
 
 use super::regge::{ReggeSpace, components_from_edges, from_chunks};
-use crate::field::TensorField;
+use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::Mat;
-use crate::scalar::Real;
+use crate::scalar::{Number, Real};
 use crate::simplex::{Bernstein, JetTable, Points};
 
 /// ψ_i: the Regge function whose i-th coefficient is 1 and all others 0, without the vector of them.
@@ -24,7 +24,7 @@ impl<const N: usize> BasisFunction<N> {
     }
 }
 
-impl<T: Real, const N: usize> TensorField<T, N> for BasisFunction<N> {
+impl<T: Real, const N: usize> Evaluate<T, N> for BasisFunction<N> {
     type Table = JetTable<T, N>;
     type Local = Vec<f64>;
 
@@ -58,4 +58,9 @@ impl<T: Real, const N: usize> TensorField<T, N> for BasisFunction<N> {
     fn is_constant(&self) -> bool {
         self.space.degree() == 0
     }
+}
+
+impl<const N: usize> TensorField<N> for BasisFunction<N> {
+    type Scalar = f64;
+    type Wide = <f64 as Number>::Wide;
 }

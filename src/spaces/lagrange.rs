@@ -3,6 +3,7 @@
 //! The basis is Bernstein's, each function attached to the simplex whose vertices it charges; a trace on a simplex
 //! is made of the functions of the simplex and of its faces. For q = 1 it consists of the hat functions.
 
+use super::test::{Scalar, TestSpace, Trace};
 use crate::mesh::{Mesh, Numbering, Slot};
 use crate::simplex::{Bernstein, binomial, subsets};
 
@@ -92,6 +93,40 @@ impl<const N: usize> Lagrange<N> {
     }
 }
 
+impl<const N: usize> TestSpace<N> for Lagrange<N> {
+    type Value = Scalar;
+
+    fn mesh(&self) -> &Mesh<N> {
+        &self.mesh
+    }
+
+    fn len(&self) -> usize {
+        self.numbering.len()
+    }
+
+    fn cell_len(&self) -> usize {
+        self.slots.len()
+    }
+
+    fn push_dofs(&self, cell: usize, dofs: &mut Vec<usize>) {
+        dofs.extend(self.cell_dofs(cell));
+    }
+
+    fn trace(&self, vertices: &[usize]) -> Trace {
+        Trace {
+            basis: self.basis(vertices.len() - 1),
+            numbers: numbers(&self.trace_slots(vertices), &self.slots),
+        }
+    }
+}
+
+/// Where in the list of a cell's slots each of these is.
+pub(super) fn numbers(slots: &[Slot], cell: &[Slot]) -> Vec<usize> {
+    let number = |slot: &Slot| cell.iter().position(|s| s == slot);
+    let found: Option<Vec<usize>> = slots.iter().map(number).collect();
+    found.expect("a trace consists of functions of the cell")
+}
+
 /// The slots of the Bernstein polynomials on the simplex with the given local vertices of an n-simplex.
 fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Slot> {
     let places: Vec<Vec<Vec<usize>>> = (0..=n).map(|k| subsets(n + 1, k + 1)).collect();
@@ -108,7 +143,7 @@ fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Slot> {
             let place = places[k]
                 .iter()
                 .position(|p| *p == support)
-                .unwrap_or_default();
+                .expect("the support of a polynomial is a simplex of the cell");
             // Exponents with one support come in one order, whatever the simplex around it.
             let index = seen[k][place];
             seen[k][place] += 1;

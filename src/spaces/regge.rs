@@ -7,12 +7,14 @@
 //! simplex with vertices {a, b} ∪ supp α, and a global vector of such coefficients is a Regge function. For r = 0
 //! they are the squared edge lengths.
 
+use super::lagrange::numbers;
+use super::test::{Symmetric, TestSpace, Trace};
 use crate::Error;
-use crate::field::TensorField;
+use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::{Mat, indefinite_pivot, symmetric};
 use crate::mesh::{Mesh, Numbering, Slot};
-use crate::scalar::{Field, Lift, Real};
+use crate::scalar::{Field, Lift, Number, Real};
 use crate::simplex::{Bernstein, JetTable, Points, binomial, subsets};
 use std::sync::Arc;
 
@@ -115,6 +117,37 @@ impl<const N: usize> ReggeSpace<N> {
     }
 }
 
+impl<const N: usize> TestSpace<N> for ReggeSpace<N> {
+    type Value = Symmetric;
+
+    fn mesh(&self) -> &Mesh<N> {
+        &self.tables.mesh
+    }
+
+    fn len(&self) -> usize {
+        self.tables.numbering.len()
+    }
+
+    fn cell_len(&self) -> usize {
+        self.tables.slots.len() * self.tables.slots[0].len()
+    }
+
+    fn push_dofs(&self, cell: usize, dofs: &mut Vec<usize>) {
+        let Tables {
+            mesh, numbering, ..
+        } = &*self.tables;
+        let slots = self.tables.slots.iter().flatten();
+        dofs.extend(slots.map(|&slot| numbering.of_cell(mesh, cell, slot)));
+    }
+
+    fn trace(&self, vertices: &[usize]) -> Trace {
+        Trace {
+            basis: Bernstein::new(vertices.len(), self.tables.degree),
+            numbers: numbers(&self.trace_slots(vertices), &self.tables.slots.concat()),
+        }
+    }
+}
+
 /// Where B_α in q_ab is numbered, by edge and α, on the simplex with the given local vertices of an n-simplex.
 pub(crate) fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Vec<Slot>> {
     let places: Vec<Vec<Vec<usize>>> = (0..=n).map(|k| subsets(n + 1, k + 1)).collect();
@@ -135,7 +168,7 @@ pub(crate) fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Vec<S
                     let place = places[k]
                         .iter()
                         .position(|p| *p == support)
-                        .unwrap_or_default();
+                        .expect("the simplex that two vertices and a support span belongs to the cell");
                     let index = seen[k][place];
                     seen[k][place] += 1;
                     Slot { k, place, index }
@@ -188,7 +221,7 @@ impl<const N: usize> ReggeFunction<f64, N> {
 ///
 /// # Errors
 /// Names the first cell and point where it is not.
-pub fn check_positive<const N: usize, G: TensorField<f64, N>>(
+pub fn check_positive<const N: usize, G: Evaluate<f64, N>>(
     field: &G,
     mesh: &Mesh<N>,
     points: &Points,
@@ -253,7 +286,7 @@ pub(super) fn from_chunks<C, F: Field, const N: usize>(
     })
 }
 
-impl<C, T, const N: usize> TensorField<T, N> for ReggeFunction<C, N>
+impl<C, T, const N: usize> Evaluate<T, N> for ReggeFunction<C, N>
 where
     C: Field + Lift<T>,
     T: Real,
@@ -290,4 +323,9 @@ where
     fn is_constant(&self) -> bool {
         self.space.degree() == 0
     }
+}
+
+impl<C: Number, const N: usize> TensorField<N> for ReggeFunction<C, N> {
+    type Scalar = C;
+    type Wide = C::Wide;
 }

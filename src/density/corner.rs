@@ -1,14 +1,20 @@
-//! Floor 4. The hinge S of two faces F_a, F_b of a cell: dihedral angle, conormals, volume.
+//! The corner of a cell at its hinge S, between two faces F_a and F_b: dihedral angle, conormals, trace on S, volume of S.
 //!
 //! The faces are given by their outward covectors ν_a = −dλ_a and ν_b = −dλ_b; all quantities follow from the three
 //! products g^aa = ν_a·g⁻¹ν_a, g^ab, g^bb. The metric's derivatives do not enter.
 
+use super::Volume;
+use crate::formulas::Formulas;
 use crate::linalg::{Mat, Vector, apply, contract, form, vector};
-use crate::scalar::{Algebraic, Field};
+use crate::riemann::trace;
+use crate::scalar::{Algebraic, Field, Real};
 
 /// Two faces of a cell and the metric at a point of their hinge.
 #[derive(Clone, Copy, Debug)]
-pub struct Hinge<F: Field, const N: usize> {
+pub struct Corner<'c, F: Field, const N: usize> {
+    formulas: &'c Formulas,
+    inverse: &'c Mat<F, N>,
+    det: F,
     /// g⁻¹ν_a and g⁻¹ν_b.
     pub raised: [Vector<F, N>; 2],
     /// g^aa, g^bb.
@@ -19,14 +25,22 @@ pub struct Hinge<F: Field, const N: usize> {
     pub gram: F,
 }
 
-impl<F: Field, const N: usize> Hinge<F, N> {
-    /// From g⁻¹ at the point and the two outward covectors.
+impl<'c, F: Field, const N: usize> Corner<'c, F, N> {
+    /// From g⁻¹ and det g at the point and the two outward covectors.
     #[inline]
-    pub fn new(inverse: &Mat<F, N>, nu: [&Vector<F, N>; 2]) -> Self {
+    pub fn new(
+        formulas: &'c Formulas,
+        inverse: &'c Mat<F, N>,
+        det: F,
+        nu: [&Vector<F, N>; 2],
+    ) -> Self {
         let raised = [apply(inverse, nu[0]), apply(inverse, nu[1])];
         let squares = [contract(nu[0], &raised[0]), contract(nu[1], &raised[1])];
         let product = contract(nu[0], &raised[1]);
         Self {
+            formulas,
+            inverse,
+            det,
             raised,
             squares,
             product,
@@ -36,33 +50,36 @@ impl<F: Field, const N: usize> Hinge<F, N> {
 
     /// Tr(σ|_S) = Tr σ − [g^bb σ(ν_a,ν_a) − 2 g^ab σ(ν_a,ν_b) + g^aa σ(ν_b,ν_b)]/gram, the ν raised.
     #[inline]
-    pub fn trace(&self, inverse: &Mat<F, N>, sigma: &Mat<F, N>) -> F {
+    pub fn trace(&self, sigma: &Mat<F, N>) -> F {
         let [a, b] = &self.raised;
-        let mixed = self.product * form(sigma, a, b);
+        let mixed = self.product * form(sigma, a, b) * F::from_int(self.formulas.trace_on_s);
         let normal = self.squares[1] * form(sigma, a, a) + self.squares[0] * form(sigma, b, b);
-        crate::riemann::trace(inverse, sigma) - (normal - mixed - mixed) / self.gram
+        trace(self.inverse, sigma) - (normal - mixed - mixed) / self.gram
     }
 }
 
-impl<F: Algebraic, const N: usize> Hinge<F, N> {
+impl<F: Algebraic, const N: usize> Corner<'_, F, N> {
     /// (sin θ, cos θ) of the dihedral angle θ_ST ∈ (0, π), times √(g^aa g^bb): cos θ = −g(n_a, n_b).
     ///
     /// Paper: section 3.
     #[inline]
     pub fn dihedral(&self) -> (F, F) {
-        (self.gram.sqrt(), -self.product)
+        (
+            Volume::from_det(self.gram) * F::from_int(self.formulas.dihedral_sin),
+            -self.product * F::from_int(self.formulas.dihedral_cos),
+        )
     }
 
     /// ω_S relative to the coordinate measure of {λ_a = λ_b = 0}: √(gram · det g). It is 1 when N = 2.
     #[inline]
-    pub fn omega_s(&self, det: F) -> F {
-        (self.gram * det).sqrt()
+    pub fn omega(&self) -> F {
+        Volume::from_det(self.gram * self.det) * F::from_int(self.formulas.omega_s)
     }
 
     /// The outward unit normal of face 0 (a) or 1 (b).
     #[inline]
     pub fn normal(&self, face: usize) -> Vector<F, N> {
-        let scale = F::one() / self.squares[face].sqrt();
+        let scale = F::one() / Volume::length(self.squares[face]);
         vector(|i| self.raised[face][i] * scale)
     }
 
@@ -73,8 +90,17 @@ impl<F: Algebraic, const N: usize> Hinge<F, N> {
     #[inline]
     pub fn conormal(&self, face: usize) -> Vector<F, N> {
         let (own, other) = (self.squares[face], 1 - face);
-        let slope = self.product / own;
-        let scale = F::one() / (self.gram / own).sqrt();
+        let slope = self.product / own * F::from_int(self.formulas.conormal_slope);
+        let scale = F::from_int(self.formulas.conormal) / Volume::length(self.gram / own);
         vector(|i| (slope * self.raised[face][i] - self.raised[other][i]) * scale)
+    }
+}
+
+impl<F: Real, const N: usize> Corner<'_, F, N> {
+    /// θ_ST in radians.
+    #[inline]
+    pub fn angle(&self) -> F {
+        let (sin, cos) = self.dihedral();
+        F::angle(sin, cos)
     }
 }
