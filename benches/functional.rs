@@ -5,30 +5,28 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use num_dual::Dual64;
-use regge_curvature::functional::{Rules, distributional_curvature};
-use regge_curvature::interpolate::Interpolant;
-use regge_curvature::mesh::Mesh;
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::Smooth;
-use regge_curvature::scalar::{Lanes, Lift, Real};
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
+use regge_curvature::field::PointByPoint;
+use regge_curvature::scalar::Lanes;
+use regge_curvature::{
+    Interpolant, Lagrange, Mesh, Metric, ReggeSpace, Rules, Smooth, TensorField,
+    distributional_curvature,
+};
 use std::hint::black_box;
 
-/// All of ⟨(Rω)_dist(g_h), ·⟩ in scalar T.
-fn by_scalar<T: Real, const N: usize>(c: &mut Criterion, name: &str, g: &ReggeFunction<f64, N>)
-where
-    f64: Lift<T>,
-{
-    let (mesh, degree) = (g.space().mesh(), g.space().degree());
-    let hats = Lagrange::new(mesh, 1);
-    let rules = Rules::new(N, 2 * (degree + 2));
+/// All of ⟨(Rω)_dist(g), ·⟩ in the scalars of a field.
+fn by_scalar<const N: usize>(
+    c: &mut Criterion,
+    [name, degree]: [&str; 2],
+    g: &impl TensorField<N>,
+    hats: &Lagrange<N>,
+    rules: &Rules,
+) {
     let mut group = c.benchmark_group(format!("curvature N={N} r={degree}"));
     group
         .sample_size(20)
-        .throughput(Throughput::Elements(mesh.cell_count() as u64));
+        .throughput(Throughput::Elements(hats.mesh().cell_count() as u64));
     group.bench_function(BenchmarkId::from_parameter(name), |b| {
-        b.iter(|| distributional_curvature(black_box(g), &hats, &rules));
+        b.iter(|| distributional_curvature(black_box(g), hats, rules));
     });
     group.finish();
 }
@@ -39,15 +37,19 @@ fn by_degree<const N: usize>(c: &mut Criterion, level: u32) {
         .and_then(|m| m.perturbed_as_in_paper(level, 1))
         .expect("a mesh");
     let graph = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
+    let hats = Lagrange::new(&mesh, 1);
     for degree in 0..=2 {
         let space = ReggeSpace::new(&mesh, degree);
         let order = 2 * degree + 2;
         let g = Interpolant::Canonical { order }
             .apply(&space, &graph)
             .expect("a metric");
-        by_scalar::<f64, N>(c, "f64", &g);
-        by_scalar::<Lanes, N>(c, "lanes", &g);
-        by_scalar::<Dual64, N>(c, "dual", &g);
+        let duals = g.coefficients().iter().map(|c| Dual64::from(*c)).collect();
+        let dual = space.function(duals).expect("as many coefficients");
+        let (rules, r) = (Rules::on(&mesh, 2 * (degree + 2)), degree.to_string());
+        by_scalar(c, ["f64", &r], &PointByPoint(&g), &hats, &rules);
+        by_scalar(c, ["lanes", &r], &g, &hats, &rules);
+        by_scalar(c, ["dual", &r], &dual, &hats, &rules);
     }
 }
 
