@@ -40,6 +40,19 @@ pub trait TensorField<T: Real, const N: usize>: Sync {
     fn is_constant(&self) -> bool {
         false
     }
+
+    /// The field at the points of ℝ^N, where it has a formula there: what follows curves through the cells needs it.
+    fn ambient(&self) -> Option<&dyn Ambient<N>> {
+        None
+    }
+}
+
+/// A symmetric tensor field on a part of ℝ^N, which needs no mesh. Every
+/// [`SmoothTensor`](crate::metrics::SmoothTensor) is one.
+pub trait Ambient<const N: usize>: Sync {
+    /// Components `[(a, b)]` in the coordinates of ℝ^N with first and second derivatives at x; None outside of the
+    /// field's domain.
+    fn jets_at(&self, x: &[f64; N]) -> Option<Mat<Jet2<f64, N>, N>>;
 }
 
 impl<T: Real, const N: usize, A: TensorField<T, N>> TensorField<T, N> for &A {
@@ -63,6 +76,9 @@ impl<T: Real, const N: usize, A: TensorField<T, N>> TensorField<T, N> for &A {
     }
     fn is_constant(&self) -> bool {
         A::is_constant(self)
+    }
+    fn ambient(&self) -> Option<&dyn Ambient<N>> {
+        A::ambient(self)
     }
 }
 
