@@ -79,8 +79,9 @@ fn bulging_cube(side: usize) -> Result<Mesh<N>, regge_curvature::Error> {
 fn main() -> Result<(), regge_curvature::Error> {
     let mesh = bulging_cube(3)?;
     let space = ReggeSpace::new(&mesh, 0);
-    let flat =
-        Interpolant::Canonical { order: 2 }.apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;
+    let flat = Interpolant::canonical()
+        .with_order(2)
+        .apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;
     let lattice = Lattice {
         space: &space,
         inner: mesh.interior(1).collect(),

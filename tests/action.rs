@@ -28,7 +28,9 @@ fn the_total_with_the_boundary_is_four_pi_chi() {
     for (degree, order) in [(0, 2), (1, 24), (2, 24)] {
         let space = ReggeSpace::new(&mesh, degree);
         let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
-        let g = (Interpolant::Canonical { order: 12 }).apply(&space, &smooth);
+        let g = Interpolant::canonical()
+            .with_order(12)
+            .apply(&space, &smooth);
         let g = g.unwrap();
         let rules = Rules::new::<2>(order);
         let inner: f64 = distributional_curvature::<Lanes, 2, _>(&g, &hats, &rules)
@@ -54,7 +56,8 @@ fn a_flat_cube_has_the_action_of_its_edges() {
     let mesh = Mesh::<3>::cube(2).unwrap();
     let space = ReggeSpace::new(&mesh, 0);
     let flat = Smooth::new(&mesh, Metric::Flat).unwrap();
-    let g = (Interpolant::Canonical { order: 2 })
+    let g = Interpolant::canonical()
+        .with_order(2)
         .apply(&space, &flat)
         .unwrap();
     let [inside, outside] = regge_action::<Lanes, 3, _>(&g, &mesh, &Rules::new::<3>(2));
@@ -75,7 +78,8 @@ fn the_integrals_simplex_by_simplex_add_up() {
     let mesh = Mesh::<3>::cube(1).unwrap().perturbed(0.05, 2).unwrap();
     let (space, hats) = (ReggeSpace::new(&mesh, 1), Lagrange::new(&mesh, 1));
     let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
-    let g = (Interpolant::Canonical { order: 8 })
+    let g = Interpolant::canonical()
+        .with_order(8)
         .apply(&space, &smooth)
         .unwrap();
     let rules = Rules::new::<3>(6);
@@ -216,7 +220,8 @@ fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
         }
     }
     let flat = Smooth::new(mesh, Metric::Flat).unwrap();
-    let g = (Interpolant::Canonical { order: 2 })
+    let g = Interpolant::canonical()
+        .with_order(2)
         .apply(&space, &flat)
         .unwrap();
     let hessian = dense(mesh, &action_hessian(&g).unwrap());
@@ -239,7 +244,8 @@ fn higher_degrees_have_no_gradient_in_lengths() {
     let mesh = Mesh::<3>::cube(1).unwrap();
     let space = ReggeSpace::new(&mesh, 1);
     let flat = Smooth::new(&mesh, Metric::Flat).unwrap();
-    let g = (Interpolant::Canonical { order: 4 })
+    let g = Interpolant::canonical()
+        .with_order(4)
         .apply(&space, &flat)
         .unwrap();
     assert!(action_gradient(&g).is_err());
@@ -259,7 +265,8 @@ mod projection {
         let mesh = Mesh::<N>::cube(2).unwrap().perturbed(0.05, 3).unwrap();
         let (space, regge) = (Lagrange::new(&mesh, degree), ReggeSpace::new(&mesh, 1));
         let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
-        let g = (Interpolant::Canonical { order: 8 })
+        let g = Interpolant::canonical()
+            .with_order(8)
             .apply(&regge, &smooth)
             .unwrap();
         let rule = Rule::new(N, 2 * degree + 4);
@@ -294,7 +301,8 @@ mod projection {
         let mesh = Mesh::<2>::cube(8).unwrap();
         let (space, regge) = (Lagrange::new(&mesh, 2), ReggeSpace::new(&mesh, 2));
         let smooth = Smooth::new(&mesh, Metric::Sphere).unwrap();
-        let g = (Interpolant::Canonical { order: 10 })
+        let g = Interpolant::canonical()
+            .with_order(10)
             .apply(&regge, &smooth)
             .unwrap();
         let rules = Rules::new::<2>(12);
