@@ -20,12 +20,12 @@ const N: usize = 3;
 
 /// The action on a mesh as a function of the lengths of its inner edges.
 struct Lattice<'s> {
-    space: &ReggeSpace<N>,
+    space: &'s ReggeSpace<N>,
     inner: Vec<usize>,
     boundary: Vec<f64>,
 }
 
-impl Lattice<'s> {
+impl Lattice<'_> {
     /// The metric with these inner lengths; None if some cell is none.
     fn metric(&self, lengths: &DVector<f64>) -> Option<ReggeFunction<f64, N>> {
         let mut squares = self.boundary.clone();
