@@ -41,7 +41,8 @@ fn by_degree<const N: usize>(c: &mut Criterion, level: u32) {
     for degree in 0..=2 {
         let space = ReggeSpace::new(&mesh, degree);
         let order = 2 * degree + 2;
-        let g = Interpolant::Canonical { order }
+        let g = Interpolant::canonical()
+            .with_order(order)
             .apply(&space, &graph)
             .expect("a metric");
         let duals = g.coefficients().iter().map(|c| Dual64::from(*c)).collect();

@@ -16,8 +16,11 @@ use regge_curvature::spaces::ReggeSpace;
 fn main() -> Result<(), regge_curvature::Error> {
     let mesh = Mesh::<3>::cube(2)?.perturbed(0.1, 1)?;
     let space = ReggeSpace::new(&mesh, 1);
-    let interpolate =
-        |metric| Interpolant::Canonical { order: 8 }.apply(&space, &Smooth::new(&mesh, metric)?);
+    let interpolate = |metric| {
+        Interpolant::canonical()
+            .with_order(8)
+            .apply(&space, &Smooth::new(&mesh, metric)?)
+    };
     let (g, sigma) = (
         interpolate(Metric::Trig)?,
         interpolate(Metric::GraphQuartic)?,

@@ -19,7 +19,9 @@ fn main() -> Result<(), regge_curvature::Error> {
         let mesh = Mesh::<2>::cube(side)?;
         let space = ReggeSpace::new(&mesh, 2);
         let sphere = Smooth::new(&mesh, Metric::Sphere)?;
-        let g = Interpolant::Canonical { order: 12 }.apply(&space, &sphere)?;
+        let g = Interpolant::canonical()
+            .with_order(12)
+            .apply(&space, &sphere)?;
         let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new(2, 24));
         let inside = distributional_curvature(&g, &test, &rules).total();
         let boundary = boundary_curvature(&g, &test, &rules).total();

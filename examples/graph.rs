@@ -42,7 +42,9 @@ fn error(degree: usize, side: usize) -> Result<f64, regge_curvature::Error> {
     let space = ReggeSpace::new(&mesh, degree);
     let g = Smooth::new(&mesh, Waves)?;
     let order = Rules::default_order(degree);
-    let g_h = Interpolant::Canonical { order }.apply(&space, &g)?;
+    let g_h = Interpolant::canonical()
+        .with_order(order)
+        .apply(&space, &g)?;
     let norm = HMinus2::new(&mesh, degree + 2)?;
     let rules = Rules::new(2, order);
     let ours = distributional_curvature(&g_h, norm.space(), &rules).total();

@@ -20,12 +20,12 @@ const N: usize = 3;
 
 /// The action on a mesh as a function of the lengths of its inner edges.
 struct Lattice<'s> {
-    space: &ReggeSpace<N>,
+    space: &'s ReggeSpace<N>,
     inner: Vec<usize>,
     boundary: Vec<f64>,
 }
 
-impl Lattice<'s> {
+impl Lattice<'_> {
     /// The metric with these inner lengths; None if some cell is none.
     fn metric(&self, lengths: &DVector<f64>) -> Option<ReggeFunction<f64, N>> {
         let mut squares = self.boundary.clone();
@@ -79,8 +79,9 @@ fn bulging_cube(side: usize) -> Result<Mesh<N>, regge_curvature::Error> {
 fn main() -> Result<(), regge_curvature::Error> {
     let mesh = bulging_cube(3)?;
     let space = ReggeSpace::new(&mesh, 0);
-    let flat =
-        Interpolant::Canonical { order: 2 }.apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;
+    let flat = Interpolant::canonical()
+        .with_order(2)
+        .apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;
     let lattice = Lattice {
         space: &space,
         inner: mesh.interior(1).collect(),

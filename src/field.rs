@@ -42,15 +42,26 @@ pub trait Evaluate<T: Real, const N: usize>: Sync {
     fn is_constant(&self) -> bool {
         false
     }
+
+    /// The field at the points of ℝ^N, where it has a formula there: what follows curves through the cells needs it.
+    fn ambient(&self) -> Option<&dyn Ambient<N>> {
+        None
+    }
+}
+
+/// A symmetric tensor field on a part of ℝ^N, which needs no mesh. Every
+/// [`SmoothTensor`](crate::metrics::SmoothTensor) is one.
+pub trait Ambient<const N: usize>: Sync {
+    /// Components `[(a, b)]` in the coordinates of ℝ^N with first and second derivatives at x; None outside of the
+    /// field's domain.
+    fn jets_at(&self, x: &[f64; N]) -> Option<Mat<Jet2<f64, N>, N>>;
 }
 
 /// A piecewise smooth symmetric tensor field on the cells of a mesh, and the scalars that functionals of it compute with.
 ///
 /// A field of your own implements [`Evaluate`] for all scalars T and takes `f64` and [`Number::Wide`] of it here:
 /// `type Scalar = f64; type Wide = <f64 as Number>::Wide;`. One that knows a single scalar takes it twice.
-pub trait TensorField<const N: usize>:
-    Evaluate<Self::Scalar, N> + Evaluate<Self::Wide, N>
-{
+pub trait TensorField<const N: usize>: Evaluate<Self::Scalar, N> + Evaluate<Self::Wide, N> {
     /// What sums over the mesh are made of: `f64`, or a dual number for derivatives in the field.
     type Scalar: Real<Sum = Self::Scalar>;
     /// The scalar in which quadrature points are evaluated side by side; the same where there is none wider.
@@ -78,6 +89,9 @@ impl<T: Real, const N: usize, A: Evaluate<T, N>> Evaluate<T, N> for &A {
     }
     fn is_constant(&self) -> bool {
         A::is_constant(self)
+    }
+    fn ambient(&self) -> Option<&dyn Ambient<N>> {
+        A::ambient(self)
     }
 }
 
@@ -111,6 +125,9 @@ impl<T: Real, const N: usize, A: Evaluate<T, N>> Evaluate<T, N> for PointByPoint
     }
     fn is_constant(&self) -> bool {
         self.0.is_constant()
+    }
+    fn ambient(&self) -> Option<&dyn Ambient<N>> {
+        self.0.ambient()
     }
 }
 

@@ -89,7 +89,7 @@
 //! let mesh = Mesh::<2>::cube(8)?;
 //! let sphere = Smooth::new(&mesh, Sphere)?;
 //! let space = ReggeSpace::new(&mesh, 2);
-//! let g = Interpolant::Canonical { order: 8 }.apply(&space, &sphere)?;
+//! let g = Interpolant::canonical().apply(&space, &sphere)?;
 //! // Paired with every hat function: cells, faces and hinges apart.
 //! let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new(2, 10));
 //! let ours = distributional_curvature(&g, &hats, &rules);
@@ -119,7 +119,7 @@
 //! let mesh = Mesh::<3>::cube(2)?;
 //! let space = ReggeSpace::new(&mesh, 1);
 //! let graph = Smooth::new(&mesh, Metric::GraphQuartic)?;
-//! let g = Interpolant::Canonical { order: 8 }.apply(&space, &graph)?;
+//! let g = Interpolant::canonical().apply(&space, &graph)?;
 //! let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new(3, 8));
 //! let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, 1.0), &g);
 //! let rate = distributional_curvature(&moving, &test, &rules).total();

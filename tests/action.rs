@@ -28,17 +28,16 @@ fn the_total_with_the_boundary_is_four_pi_chi() {
     for (degree, order) in [(0, 2), (1, 24), (2, 24)] {
         let space = ReggeSpace::new(&mesh, degree);
         let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
-        let g = (Interpolant::Canonical { order: 12 }).apply(&space, &smooth);
+        let g = Interpolant::canonical()
+            .with_order(12)
+            .apply(&space, &smooth);
         let g = g.unwrap();
         let rules = Rules::new(2, order);
         let inner: f64 = distributional_curvature(&g, &hats, &rules)
             .total()
             .iter()
             .sum();
-        let outer: f64 = boundary_curvature(&g, &hats, &rules)
-            .total()
-            .iter()
-            .sum();
+        let outer: f64 = boundary_curvature(&g, &hats, &rules).total().iter().sum();
         // The rules of order 24 integrate these metrics to some 1e-13.
         assert!(
             (inner + outer - 4.0 * PI).abs() < ROUNDING,
@@ -54,7 +53,8 @@ fn a_flat_cube_has_the_action_of_its_edges() {
     let mesh = Mesh::<3>::cube(2).unwrap();
     let space = ReggeSpace::new(&mesh, 0);
     let flat = Smooth::new(&mesh, Metric::Flat).unwrap();
-    let g = (Interpolant::Canonical { order: 2 })
+    let g = Interpolant::canonical()
+        .with_order(2)
         .apply(&space, &flat)
         .unwrap();
     let [inside, outside] = regge_action(&g, &mesh, &Rules::new(3, 2));
@@ -75,15 +75,14 @@ fn the_integrals_simplex_by_simplex_add_up() {
     let mesh = Mesh::<3>::cube(1).unwrap().perturbed(0.05, 2).unwrap();
     let (space, hats) = (ReggeSpace::new(&mesh, 1), Lagrange::new(&mesh, 1));
     let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
-    let g = (Interpolant::Canonical { order: 8 })
+    let g = Interpolant::canonical()
+        .with_order(8)
         .apply(&space, &smooth)
         .unwrap();
     let rules = Rules::new(3, 6);
     let sums = distributional_curvature(&g, &hats, &rules);
     let outer = boundary_curvature(&g, &hats, &rules);
-    let cells: f64 = cell_curvatures(&g, &mesh, &rules.cells)
-        .iter()
-        .sum();
+    let cells: f64 = cell_curvatures(&g, &mesh, &rules.cells).iter().sum();
     let faces = |list: Vec<(usize, f64)>| 2.0 * list.iter().map(|f| f.1).sum::<f64>();
     let jumps = faces(face_jumps(&g, &mesh, &rules.faces));
     let bent = faces(boundary_mean_curvatures::<Lanes, 3, _>(
@@ -95,17 +94,8 @@ fn the_integrals_simplex_by_simplex_add_up() {
     assert!((jumps - sums.faces.iter().sum::<f64>()).abs() < ROUNDING);
     assert!((bent - outer.faces.iter().sum::<f64>()).abs() < ROUNDING);
     assert!(jumps.abs() > 1e-3 && bent.abs() > 1e-3 && cells.abs() > 1e-3);
-    let volume: f64 = cell_volumes(&g, &mesh, &rules.cells)
-        .iter()
-        .sum();
-    assert!(
-        (cell_volumes(&g, &mesh, &rules.cells)
-            .iter()
-            .sum::<f64>()
-            - volume)
-            .abs()
-            < ROUNDING
-    );
+    let volume: f64 = cell_volumes(&g, &mesh, &rules.cells).iter().sum();
+    assert!((cell_volumes(&g, &mesh, &rules.cells).iter().sum::<f64>() - volume).abs() < ROUNDING);
 }
 
 /// All at once is what one by one gives, cells, faces and hinges apart.
@@ -216,7 +206,8 @@ fn hessian_is_the_second_derivative<const N: usize>(mesh: &Mesh<N>) {
         }
     }
     let flat = Smooth::new(mesh, Metric::Flat).unwrap();
-    let g = (Interpolant::Canonical { order: 2 })
+    let g = Interpolant::canonical()
+        .with_order(2)
         .apply(&space, &flat)
         .unwrap();
     let hessian = dense(mesh, &action_hessian(&g).unwrap());
@@ -239,7 +230,8 @@ fn higher_degrees_have_no_gradient_in_lengths() {
     let mesh = Mesh::<3>::cube(1).unwrap();
     let space = ReggeSpace::new(&mesh, 1);
     let flat = Smooth::new(&mesh, Metric::Flat).unwrap();
-    let g = (Interpolant::Canonical { order: 4 })
+    let g = Interpolant::canonical()
+        .with_order(4)
         .apply(&space, &flat)
         .unwrap();
     assert!(action_gradient(&g).is_err());
@@ -259,7 +251,8 @@ mod projection {
         let mesh = Mesh::<N>::cube(2).unwrap().perturbed(0.05, 3).unwrap();
         let (space, regge) = (Lagrange::new(&mesh, degree), ReggeSpace::new(&mesh, 1));
         let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
-        let g = (Interpolant::Canonical { order: 8 })
+        let g = Interpolant::canonical()
+            .with_order(8)
             .apply(&regge, &smooth)
             .unwrap();
         let rule = Rule::new(N, 2 * degree + 4);
@@ -294,7 +287,8 @@ mod projection {
         let mesh = Mesh::<2>::cube(8).unwrap();
         let (space, regge) = (Lagrange::new(&mesh, 2), ReggeSpace::new(&mesh, 2));
         let smooth = Smooth::new(&mesh, Metric::Sphere).unwrap();
-        let g = (Interpolant::Canonical { order: 10 })
+        let g = Interpolant::canonical()
+            .with_order(10)
             .apply(&regge, &smooth)
             .unwrap();
         let rules = Rules::new(2, 12);

@@ -112,10 +112,7 @@ fn a_triangle_has_a_volume_and_a_total() {
     let space = ReggeSpace::new(&mesh, 0);
     let g = space.function(vec![1.0; 3]).unwrap();
     let rules = Rules::new(2, 1);
-    close(
-        cell_volumes(&g, &mesh, &rules.cells)[0],
-        3f64.sqrt() / 4.0,
-    );
+    close(cell_volumes(&g, &mesh, &rules.cells)[0], 3f64.sqrt() / 4.0);
     let outer = boundary_curvature(&g, &Lagrange::new(&mesh, 1), &rules);
     close(outer.total().iter().sum(), 4.0 * PI);
     close(outer.hinges[0], 2.0 * (PI - PI / 3.0));

@@ -83,9 +83,9 @@ struct PullBack<const N: usize> {
     phi: Vec<SVector<f64, N>>,
 }
 
-impl<const N: usize> PullBack<'_, N> {
+impl<const N: usize> PullBack<N> {
     /// The identity at the control points, moved at random.
-    fn new(mesh: &Mesh<N>, degree: usize, noise: f64) -> PullBack<'_, N> {
+    fn new(mesh: &Mesh<N>, degree: usize, noise: f64) -> PullBack<N> {
         let space = Lagrange::new(mesh, degree);
         let mut random = SplitMix64::new(11);
         let mut phi = vec![SVector::zeros(); space.len()];
@@ -108,7 +108,7 @@ impl<const N: usize> PullBack<'_, N> {
     }
 }
 
-impl<const N: usize> TensorField<f64, N> for PullBack<'_, N> {
+impl<const N: usize> TensorField<f64, N> for PullBack<N> {
     type Table = Vec<Vec<Jet2<f64, N>>>;
     type Local = Vec<SVector<f64, N>>;
 

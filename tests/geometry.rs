@@ -7,6 +7,7 @@ mod common;
 mod conventions;
 mod exactness;
 mod field;
+mod interpolate;
 mod lagrange;
 mod mesh;
 mod oracle;

@@ -1,7 +1,7 @@
 //! Every case of tests/oracle (computed by an unrelated code, see its README): the H⁻² norm of the error.
 
 use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
-use regge_curvature::interpolate::{Interpolant, Projection};
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::Smooth;
@@ -77,7 +77,7 @@ fn average_error<const N: usize>(oracle: &Oracle) -> f64 {
     let mesh = oracle.mesh::<N>();
     let space = oracle.space(&mesh);
     let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
-    let average = Interpolant::Average(Projection::exact::<N>(oracle.degree));
+    let average = Interpolant::average();
     error(oracle, &mesh, &average.apply(&space, &g).expect("a metric"))
 }
 

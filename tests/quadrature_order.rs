@@ -2,7 +2,7 @@
 //! itself. A mesh whose cells are as large as the domain (k = 0) needs 20 orders more.
 
 use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
-use regge_curvature::interpolate::{Interpolant, Projection};
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::Smooth;
@@ -29,8 +29,7 @@ fn settled<const N: usize>(degree: usize, level: u32) {
         .expect("a mesh");
     let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
     let space = ReggeSpace::new(&mesh, degree);
-    let projection = Projection::exact::<N>(degree);
-    let g_h = Interpolant::AverageHierarchical(projection)
+    let g_h = Interpolant::average_hierarchical()
         .apply(&space, &g)
         .expect("a metric");
     let hm2 = HMinus2::new(&mesh, degree + 2).expect("a norm");

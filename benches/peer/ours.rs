@@ -61,7 +61,8 @@ where
     let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
     let space = ReggeSpace::new(&mesh, job.degree);
     let order = 2 * job.degree + 12;
-    let g_h = Interpolant::Canonical { order }
+    let g_h = Interpolant::canonical()
+        .with_order(order)
         .apply(&space, &g)
         .expect("a metric");
     let test = Lagrange::new(&mesh, job.test_degree);
@@ -106,7 +107,8 @@ fn accuracy(level: u32) -> Value {
     let mesh = mesh::<3>(level, SEED);
     let g = Smooth::new(&mesh, Paraboloid).expect("coordinates");
     let space = ReggeSpace::new(&mesh, 2);
-    let g_h = Interpolant::Canonical { order: 8 }
+    let g_h = Interpolant::canonical()
+        .with_order(8)
         .apply(&space, &g)
         .expect("a metric");
     let table = TensorField::<f64, 3>::tabulate(&g_h, Rule::new(3, 1).points());

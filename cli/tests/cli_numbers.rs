@@ -4,7 +4,8 @@
 //! program (NGSolve with ngsdiffgeo); those "as printed" are the paper's.
 
 use crate::common::{as_printed, assert_close, errors, rows, study};
-use regge_study::{Interpolation, ProjectionKind, Quantity, Row, Study};
+use regge_curvature::interpolate::Interpolant;
+use regge_study::{ProjectionKind, Quantity, Row, Study};
 
 #[test]
 fn level_zero_with_converged_quadrature() {
@@ -12,7 +13,7 @@ fn level_zero_with_converged_quadrature() {
     assert_close(&n2, &[0.191182259, 0.100434416, 0.022599146], 1e-6);
     assert_close(&errors(&study(3, &[0], 0..=0)), &[0.1016332381], 1e-6);
     let canonical = Study {
-        interpolants: vec![Interpolation::Canonical],
+        interpolants: vec![Interpolant::canonical()],
         ..study(3, &[0, 1], 0..=0)
     };
     assert_close(&errors(&canonical), &[0.4723269878, 0.1039803360], 1e-6);
@@ -20,7 +21,7 @@ fn level_zero_with_converged_quadrature() {
 
 #[test]
 fn the_two_averages_agree_on_level_zero() {
-    let both = vec![Interpolation::Average, Interpolation::AverageHierarchical];
+    let both = vec![Interpolant::average(), Interpolant::average_hierarchical()];
     let found = errors(&Study {
         interpolants: both,
         ..study(2, &[0, 1, 2], 0..=0)
@@ -73,7 +74,7 @@ fn table_1_as_printed() {
 /// The exact projection makes r = 1 about 2.4 times smaller and r = 2 about 10 % larger.
 #[test]
 fn table_1_converged() {
-    let both = vec![Interpolation::AverageHierarchical, Interpolation::Average];
+    let both = vec![Interpolant::average_hierarchical(), Interpolant::average()];
     let found = rows(&Study {
         interpolants: both,
         ..study(2, &[1, 2], 4..=5)
@@ -97,7 +98,10 @@ fn table_2_as_printed() {
 
 #[test]
 fn figure_2() {
-    let both = vec![Interpolation::AverageHierarchical, Interpolation::Canonical];
+    let both = vec![
+        Interpolant::average_hierarchical(),
+        Interpolant::canonical(),
+    ];
     let critical = |study: Study| Study {
         quantity: Quantity::CriticalTerm,
         interpolants: both.clone(),

@@ -10,8 +10,8 @@ use regge_curvature::spaces::Lagrange;
 use regge_curvature::spaces::ReggeSpace;
 use regge_study::printed::SERIES;
 use regge_study::{
-    Case, Event, Interpolation, LoadQuadrature, Phase, Quadrature, Quantity, Study,
-    converged_order, fits, mesh, mesh_seed, printed_rule,
+    Case, Event, LoadQuadrature, Phase, Quadrature, Quantity, Study, converged_order, fits, mesh,
+    mesh_seed, printed_rule,
 };
 
 #[test]
@@ -123,7 +123,10 @@ fn with_order(study: &Study, more: usize) -> f64 {
 fn the_default_order_is_converged() {
     for (dimension, finest) in [(2, 3), (3, 1)] {
         for (degree, level) in (0..=2).flat_map(|r| (0..=finest).map(move |k| (r, k))) {
-            for interpolant in [Interpolation::AverageHierarchical, Interpolation::Canonical] {
+            for interpolant in [
+                Interpolant::average_hierarchical(),
+                Interpolant::canonical(),
+            ] {
                 let one = study(dimension, &[degree], level..=level);
                 let one = Study {
                     interpolants: vec![interpolant],
@@ -140,7 +143,8 @@ fn lanes_give_what_f64_gives() {
     let mesh = mesh::<3>(1, 5).expect("a mesh");
     let space = ReggeSpace::new(&mesh, 1);
     let smooth = Smooth::new(&mesh, Metric::Trig).expect("coordinates");
-    let g = Interpolant::Canonical { order: 8 }
+    let g = Interpolant::canonical()
+        .with_order(8)
         .apply(&space, &smooth)
         .expect("a metric");
     let (test, rules) = (Lagrange::new(&mesh, 3), Rules::new::<3>(8));
@@ -218,7 +222,7 @@ fn impossible_studies_are_refused() {
         .contains("nothing")
     );
     let geodesic = Study {
-        interpolants: vec![Interpolation::Geodesic],
+        interpolants: vec![Interpolant::geodesic()],
         ..study(2, &[1], 0..=0)
     };
     assert!(refused(geodesic).contains("geodesic"));
@@ -228,7 +232,7 @@ fn impossible_studies_are_refused() {
 #[test]
 fn a_study_goes_on_where_it_was_stopped() {
     let mut both = study(2, &[0, 1], 0..=1);
-    both.interpolants.push(Interpolation::Average);
+    both.interpolants.push(Interpolant::average());
     let whole = rows(&both);
     for stop in 0..=whole.len() {
         let mut computed = 0;

@@ -3,8 +3,10 @@
 //! On a k-simplex D, k ≥ 1, they are the integrals of g|_D against the symmetric tensors of degree r−k+1:
 //! ℓ_{D,ab,β}(g) = ∫_D q_ab λ^β dμ, ab an edge of D, |β| = r−k+1, dμ the reference measure of D (1/k! in all). The
 //! integrals of different edges have nothing to do with each other, so that the dual basis is found edge by edge.
+//! A simplex of dimension k > r+1 has no degrees of freedom.
 
 use crate::field::Evaluate;
+use crate::linalg::Mat;
 use crate::mesh::Slot;
 use crate::quadrature::Rule;
 use crate::scalar::{Lift, Real};
@@ -52,7 +54,9 @@ struct Place {
 impl Place {
     fn new(n: usize, degree: usize, vertices: Vec<usize>) -> Self {
         let position = |all: &[Vec<usize>], one: &[usize]| {
-            all.iter().position(|a| a == one).unwrap_or_default()
+            all.iter()
+                .position(|a| a == one)
+                .expect("edges and exponents of D are among those of the cell")
         };
         let cell_edges = subsets(n + 1, 2);
         let edges = subsets(vertices.len(), 2)
@@ -96,8 +100,9 @@ impl OnSimplex {
                 |a: &usize| (0..=k).all(|v| edge.contains(&v) || basis.exponents()[*a][v] > 0);
             let (mine, others): (Vec<usize>, Vec<usize>) = (0..basis.len()).partition(full);
             let square = moments.select_columns(&mine);
-            // Square and regular: the products of λ^β with the bubble of D∖ab span the columns.
-            inverse.push(square.try_inverse()?);
+            inverse.push(square.try_inverse().expect(
+                "square and regular: the columns are the products of the λ^β with the bubble of D∖ab",
+            ));
             own.push(mine);
             lower.push(others);
         }
@@ -114,6 +119,53 @@ impl OnSimplex {
     /// How many edges D has.
     fn edges(&self) -> usize {
         self.own.len()
+    }
+
+    /// ∫_D q_ab λ^β dμ, `[edge][β]`, of the tensor with this value at the q-th point; `test[q][β]`.
+    fn integrate<T: Real, const N: usize>(
+        &self,
+        place: &Place,
+        rule: &Rule,
+        test: &[Vec<f64>],
+        value: impl Fn(usize) -> Mat<T, N>,
+    ) -> Vec<T> {
+        let size = self.test.len();
+        let mut moments = vec![T::zero(); self.edges() * size];
+        for q in 0..rule.len() {
+            let components = crate::spaces::edge_components(&value(q));
+            for (e, &edge) in place.edges.iter().enumerate() {
+                for beta in 0..size {
+                    moments[e * size + beta] +=
+                        components[edge] * T::from_f64(rule.weights()[q] * test[q][beta]);
+                }
+            }
+        }
+        moments
+    }
+
+    /// The own coefficients of an edge's q_ab on D from its integrals, less what the faces of D contribute to these;
+    /// `known(α)` are the faces' coefficients.
+    fn own_coefficients<C: Real>(
+        &self,
+        edge: usize,
+        integrals: &[C],
+        known: impl Fn(usize) -> C,
+    ) -> Vec<C> {
+        let mut rest = integrals.to_vec();
+        for &a in &self.lower[edge] {
+            let c = known(a);
+            for (beta, r) in rest.iter_mut().enumerate() {
+                *r -= C::from_f64(self.moments[(beta, a)]) * c;
+            }
+        }
+        let solved = |i: usize| {
+            let mut c = C::zero();
+            for (beta, r) in rest.iter().enumerate() {
+                c += C::from_f64(self.inverse[edge][(i, beta)]) * *r;
+            }
+            c
+        };
+        (0..self.own[edge].len()).map(solved).collect()
     }
 }
 
@@ -142,6 +194,8 @@ impl<const N: usize> Canonical<N> {
     }
 
     /// ℓ(g) for every degree of freedom, g seen from the first cell around each simplex, by rules of this order.
+    ///
+    /// On what is tangential-tangential continuous every cell around a simplex sees the same.
     pub fn evaluate<T: Real<Sum = T>, G: Evaluate<T, N>>(&self, g: &G, order: usize) -> Vec<T> {
         let mesh = self.space.mesh();
         let mut values = vec![T::zero(); self.space.len()];
@@ -153,18 +207,8 @@ impl<const N: usize> Canonical<N> {
             let on_simplex = |simplex: usize| {
                 let side = mesh.first_side(k, simplex);
                 let local = g.on_cell(side.cell);
-                let mut moments = vec![T::zero(); on.edges() * on.test.len()];
-                for q in 0..rule.len() {
-                    let value = g.value(&local, &tables[side.place], q);
-                    let components = crate::spaces::edge_components(&value);
-                    for (e, &edge) in on.places[side.place].edges.iter().enumerate() {
-                        for beta in 0..on.test.len() {
-                            moments[e * on.test.len() + beta] +=
-                                components[edge] * T::from_f64(rule.weights()[q] * test[q][beta]);
-                        }
-                    }
-                }
-                moments
+                let value = |q: usize| g.value(&local, &tables[side.place], q);
+                on.integrate(&on.places[side.place], &rule, &test, value)
             };
             crate::parallel::in_order(mesh.count(k), on_simplex, |simplex, moments| {
                 for (i, moment) in moments.into_iter().enumerate() {
@@ -217,20 +261,10 @@ impl<const N: usize> Canonical<N> {
                 for e in 0..on.edges() {
                     let slots = &on.places[side.place].slots[e];
                     let dof = |a: usize| numbering.of_cell(mesh, side.cell, slots[a]);
-                    let mut rest: Vec<C> = (0..on.test.len())
-                        .map(|beta| values[numbering.global(k, simplex, e * on.test.len() + beta)])
-                        .collect();
-                    for &a in &on.lower[e] {
-                        let c = coefficients[dof(a)];
-                        for (beta, r) in rest.iter_mut().enumerate() {
-                            *r -= C::from_f64(on.moments[(beta, a)]) * c;
-                        }
-                    }
-                    for (i, &a) in on.own[e].iter().enumerate() {
-                        let mut c = C::zero();
-                        for (beta, r) in rest.iter().enumerate() {
-                            c += C::from_f64(on.inverse[e][(i, beta)]) * *r;
-                        }
+                    let first = numbering.global(k, simplex, e * on.test.len());
+                    let integrals = &values[first..first + on.test.len()];
+                    let own = on.own_coefficients(e, integrals, |a| coefficients[dof(a)]);
+                    for (&a, c) in on.own[e].iter().zip(own) {
                         coefficients[dof(a)] = c;
                     }
                 }
@@ -238,4 +272,14 @@ impl<const N: usize> Canonical<N> {
         }
         coefficients
     }
+}
+
+/// The coefficients of the canonical interpolant, its integrals by rules of this order.
+pub(super) fn coefficients<const N: usize, G: Evaluate<f64, N>>(
+    space: &ReggeSpace<N>,
+    g: &G,
+    order: usize,
+) -> Vec<f64> {
+    let canonical = Canonical::new(space);
+    canonical.solve(&canonical.evaluate(g, order))
 }

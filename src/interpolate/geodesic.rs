@@ -4,72 +4,62 @@
 //! [0, 1]. The curve is a polynomial of degree m+1 in its parameter; its energy is made stationary by Newton's method
 //! with exact first and second derivatives, and m is doubled until the length stands still.
 
+use super::curve::Curve;
 use crate::Error;
-use crate::jet::{Jet2, lower};
-use crate::linalg::{Mat, Vector, form, indefinite_pivot};
+use crate::field::Ambient;
+use crate::linalg::Vector;
 use crate::mesh::Mesh;
-use crate::metrics::SmoothTensor;
-use crate::quadrature::gauss_legendre;
-use crate::spaces::{ReggeFunction, ReggeSpace};
-use nalgebra::{DMatrix, DVector};
+use crate::simplex::subsets;
+use crate::spaces::ReggeSpace;
 
 /// The change of the length under doubling of the degree that ends the refinement, relative.
 const SETTLED: f64 = 1e-13;
 /// Curves of higher degree are not tried: the edge is then too long for its metric.
 const LARGEST_DEGREE: usize = 64;
 
-/// The Regge function of degree 0 whose edge lengths are geodesic distances of g, to a relative 1e-12.
+/// The squared geodesic distances between the ends of the edges, which are the coefficients of degree 0.
 ///
 /// # Errors
-/// If the degree is not 0 or the mesh lies not in ℝ^N; names the edge whose geodesic leaves the formula's domain or
-/// is not found, or the cell where such lengths make no simplex.
-pub fn geodesic_interpolant<const N: usize>(
+/// If the mesh lies not in ℝ^N; names the first edge whose geodesic leaves the formula's domain or is not found.
+pub(super) fn coefficients<const N: usize>(
     space: &ReggeSpace<N>,
-    g: &impl SmoothTensor<N>,
-) -> Result<ReggeFunction<f64, N>, Error> {
-    if space.degree() != 0 {
-        let reason = format!(
-            "the geodesic interpolant has degree 0, not {}",
-            space.degree()
-        );
-        return Err(Error::Input(reason));
-    }
+    g: &dyn Ambient<N>,
+) -> Result<Vec<f64>, Error> {
     let mesh = space.mesh();
     if !mesh.has_coordinates() {
         return Err(Error::NoCoordinates("a geodesic"));
     }
-    let mut coefficients = Vec::with_capacity(space.len());
-    let mut failed = None;
+    let mut coefficients = Ok(Vec::with_capacity(space.len()));
     let on_edge = |edge: usize| {
         let [a, b] = ends(mesh, edge);
         geodesic_length(g, a, b)
     };
-    crate::parallel::in_order(mesh.count(1), on_edge, |edge, length| match length {
-        Ok(length) => coefficients.push(length * length),
-        Err(reason) if failed.is_none() => {
-            let v = mesh.vertices(1, edge);
-            failed = Some(Error::Edge {
-                vertices: [v[0] as usize, v[1] as usize],
-                reason,
-            });
+    crate::parallel::in_order(mesh.count(1), on_edge, |edge, length| {
+        if let Ok(found) = &mut coefficients {
+            match length {
+                Ok(length) => found.push(length * length),
+                Err(reason) => coefficients = Err(no_length(mesh, edge, reason)),
+            }
         }
-        Err(_) => {}
     });
-    if let Some(error) = failed {
-        return Err(error);
+    coefficients
+}
+
+fn no_length<const N: usize>(mesh: &Mesh<N>, edge: usize, reason: String) -> Error {
+    let ends = mesh.vertices(1, edge);
+    Error::Edge {
+        vertices: [ends[0] as usize, ends[1] as usize],
+        reason,
     }
-    let function = space.function(coefficients)?;
-    function.check_positive(crate::quadrature::Rule::new(N, 1).points())?;
-    Ok(function)
 }
 
 /// The two ends of an edge in ℝ^N, as its first cell sees them.
 fn ends<const N: usize>(mesh: &Mesh<N>, edge: usize) -> [Vector<f64, N>; 2] {
     let side = mesh.first_side(1, edge);
-    let local = &crate::simplex::subsets(N + 1, 2)[side.place];
+    let local = &subsets(N + 1, 2)[side.place];
     [0, 1].map(|i| {
         mesh.corner(side.cell, local[i])
-            .unwrap_or_else(Vector::zeros)
+            .expect("the mesh has coordinates: this was asked before")
     })
 }
 
@@ -77,8 +67,18 @@ fn ends<const N: usize>(mesh: &Mesh<N>, edge: usize) -> [Vector<f64, N>; 2] {
 ///
 /// # Errors
 /// In words, if the curve leaves the domain of g or no geodesic is found.
+///
+/// ```
+/// use nalgebra::vector;
+/// use regge_curvature::interpolate::geodesic_length;
+/// use regge_curvature::metrics::Metric;
+///
+/// // The unit sphere in stereographic coordinates: from the pole to the equator it is a quarter of a great circle.
+/// let length = geodesic_length(&Metric::Sphere, vector![0.0, 0.0], vector![0.6, 0.8]);
+/// assert!((length.expect("a geodesic") - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+/// ```
 pub fn geodesic_length<const N: usize>(
-    g: &impl SmoothTensor<N>,
+    g: &dyn Ambient<N>,
     a: Vector<f64, N>,
     b: Vector<f64, N>,
 ) -> Result<f64, String> {
@@ -95,184 +95,4 @@ pub fn geodesic_length<const N: usize>(
     Err(format!(
         "its geodesic has no polynomial of degree {LARGEST_DEGREE}: refine the mesh"
     ))
-}
-
-/// x(s) = a + (b−a) s + Σ_k c_k φ_k(s), φ_k = ∫₀ˢ P_k(2t−1) dt, k = 1…m, which vanish at both ends.
-struct Curve<const N: usize> {
-    ends: [Vector<f64, N>; 2],
-    /// c_k^i at k N + i.
-    coefficients: DVector<f64>,
-    /// s and weights of Gauss' rule.
-    nodes: Vec<f64>,
-    weights: Vec<f64>,
-    /// φ_k and φ_k′ at the nodes.
-    phi: Vec<Vec<f64>>,
-    dphi: Vec<Vec<f64>>,
-}
-
-impl<const N: usize> Curve<N> {
-    /// The straight line.
-    fn new(a: Vector<f64, N>, b: Vector<f64, N>, degree: usize) -> Self {
-        let (nodes, weights) = gauss_legendre(2 * degree + 4);
-        let legendre = |s: f64| {
-            let x = 2.0 * s - 1.0;
-            let mut p = vec![1.0, x];
-            for k in 1..=degree {
-                let m = k as f64;
-                p.push(((2.0 * m + 1.0) * x * p[k] - m * p[k - 1]) / (m + 1.0));
-            }
-            p
-        };
-        let p: Vec<Vec<f64>> = nodes.iter().map(|s| legendre(*s)).collect();
-        // ∫ P_k = (P_{k+1} − P_{k−1})/(2k+1), and half of it per unit of s.
-        let integral = |p: &Vec<f64>, k: usize| (p[k + 1] - p[k - 1]) / (2.0 * (2 * k + 1) as f64);
-        Self {
-            ends: [a, b],
-            coefficients: DVector::zeros(degree * N),
-            phi: p
-                .iter()
-                .map(|p| (1..=degree).map(|k| integral(p, k)).collect())
-                .collect(),
-            dphi: p.iter().map(|p| p[1..=degree].to_vec()).collect(),
-            nodes,
-            weights,
-        }
-    }
-
-    /// x and dx/ds at a node.
-    fn at(&self, q: usize) -> (Vector<f64, N>, Vector<f64, N>) {
-        let chord = self.ends[1] - self.ends[0];
-        let (mut x, mut dx) = (self.ends[0] + chord * self.nodes[q], chord);
-        for k in 0..self.phi[q].len() {
-            for i in 0..N {
-                x[i] += self.coefficients[k * N + i] * self.phi[q][k];
-                dx[i] += self.coefficients[k * N + i] * self.dphi[q][k];
-            }
-        }
-        (x, dx)
-    }
-
-    /// Continues the straight line from δ to g; the length of what is reached.
-    fn settle(mut self, g: &impl SmoothTensor<N>) -> Result<f64, String> {
-        let (mut tau, mut step) = (0.0, 0.25);
-        while tau < 1.0 {
-            let next: f64 = f64::min(tau + step, 1.0);
-            let start = self.coefficients.clone();
-            match self.newton(g, next) {
-                Ok(()) => tau = next,
-                Err(reason) => {
-                    self.coefficients = start;
-                    step *= 0.5;
-                    if step < 1e-3 {
-                        return Err(reason);
-                    }
-                }
-            }
-        }
-        let mut energy = 0.0;
-        for q in 0..self.nodes.len() {
-            let (x, dx) = self.at(q);
-            energy += self.weights[q] * form(&lower(&lower(&jets(g, &x, 1.0)?)), &dx, &dx);
-        }
-        // The speed of a geodesic is constant: its length is the root of its energy, to second order in the error.
-        Ok(energy.sqrt())
-    }
-
-    /// Makes the energy of (1−τ)δ + τg stationary.
-    fn newton(&mut self, g: &impl SmoothTensor<N>, tau: f64) -> Result<(), String> {
-        let scale = (self.ends[1] - self.ends[0]).norm();
-        let mut before = f64::INFINITY;
-        for _ in 0..25 {
-            let (gradient, hessian) = self.derivatives(g, tau)?;
-            let step = hessian
-                .lu()
-                .solve(&gradient)
-                .ok_or("its geodesic is not isolated")?;
-            self.coefficients -= &step;
-            let size = step.norm() / scale;
-            // Quadratic convergence: after a step of 1e-9 the next is at rounding level.
-            if size < 1e-9 {
-                return Ok(());
-            }
-            if size > 4.0 * before || !size.is_finite() {
-                break;
-            }
-            before = size;
-        }
-        Err("its geodesic was not found by Newton's method".into())
-    }
-
-    /// The gradient and the Hessian of E = ½ ∫ g(ẋ, ẋ) ds in the coefficients.
-    fn derivatives(
-        &self,
-        g: &impl SmoothTensor<N>,
-        tau: f64,
-    ) -> Result<(DVector<f64>, DMatrix<f64>), String> {
-        let size = self.coefficients.len();
-        let (mut gradient, mut hessian) = (DVector::zeros(size), DMatrix::zeros(size, size));
-        for q in 0..self.nodes.len() {
-            let (x, dx) = self.at(q);
-            let l = Lagrangian::new(&jets(g, &x, tau)?, &dx);
-            let (w, phi, dphi) = (self.weights[q], &self.phi[q], &self.dphi[q]);
-            for i in 0..size {
-                let (k, m) = (i / N, i % N);
-                gradient[i] += w * (l.x[m] * phi[k] + l.v[m] * dphi[k]);
-                for j in 0..size {
-                    let (h, n) = (j / N, j % N);
-                    hessian[(i, j)] += w
-                        * (l.xx[(m, n)] * phi[k] * phi[h]
-                            + l.xv[(m, n)] * phi[k] * dphi[h]
-                            + l.xv[(n, m)] * dphi[k] * phi[h]
-                            + l.vv[(m, n)] * dphi[k] * dphi[h]);
-                }
-            }
-        }
-        Ok((gradient, hessian))
-    }
-}
-
-/// The first and second derivatives of L = ½ g_x(v, v) in x and v.
-struct Lagrangian<const N: usize> {
-    x: Vector<f64, N>,
-    v: Vector<f64, N>,
-    xx: Mat<f64, N>,
-    /// `[(m, n)]` = ∂²L/∂x_m ∂v_n.
-    xv: Mat<f64, N>,
-    vv: Mat<f64, N>,
-}
-
-impl<const N: usize> Lagrangian<N> {
-    fn new(g: &Mat<Jet2<f64, N>, N>, v: &Vector<f64, N>) -> Self {
-        let value = g.map(|j| j.value);
-        let d: [Mat<f64, N>; N] = std::array::from_fn(|m| g.map(|j| j.d[m]));
-        Self {
-            x: Vector::from_fn(|m, _| 0.5 * form(&d[m], v, v)),
-            v: value * v,
-            xx: Mat::from_fn(|m, n| 0.5 * form(&g.map(|j| j.dd[m][n]), v, v)),
-            xv: Mat::from_fn(|m, n| (d[m] * v)[n]),
-            vv: value,
-        }
-    }
-}
-
-/// The jets of (1−τ)δ + τg at x in the coordinates of ℝ^N.
-fn jets<const N: usize>(
-    g: &impl SmoothTensor<N>,
-    x: &Vector<f64, N>,
-    tau: f64,
-) -> Result<Mat<Jet2<f64, N>, N>, String> {
-    let point: [f64; N] = std::array::from_fn(|i| x[i]);
-    let outside = || format!("its geodesic leaves the domain of the metric at {point:?}");
-    if !g.contains(&point) {
-        return Err(outside());
-    }
-    let at: [Jet2<f64, N>; N] = std::array::from_fn(|i| Jet2::coordinate(x[i], i));
-    let g = g.at(&at);
-    if indefinite_pivot(&g.map(|j| j.value)).is_some() {
-        return Err(outside());
-    }
-    Ok(Mat::from_fn(|i, j| {
-        let flat = Jet2::constant(if i == j { 1.0 - tau } else { 0.0 });
-        g[(i, j)].map(|x| tau * x) + flat
-    }))
 }

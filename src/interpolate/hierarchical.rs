@@ -36,46 +36,43 @@ fn scaled_legendre(l: usize, s: f64, t: f64) -> f64 {
 /// The functions of the simplex with these vertices (it contains the edge), as values at λ.
 fn functions_of(on: &[usize], edge: &[usize], degree: usize, lambda: &[f64]) -> Vec<f64> {
     match on.len() {
-        2 => (0..=degree)
-            .map(|l| {
-                scaled_legendre(
-                    l,
-                    lambda[on[0]] - lambda[on[1]],
-                    lambda[on[0]] + lambda[on[1]],
-                )
-            })
-            .collect(),
-        3 => {
-            let third: f64 = on
-                .iter()
-                .filter(|v| !edge.contains(v))
-                .map(|&v| lambda[v])
-                .product();
-            let powers = multi_indices(3, degree.saturating_sub(1));
-            let monomial = |e: &Vec<usize>| {
-                third * lambda[on[0]].powi(e[0] as i32) * lambda[on[1]].powi(e[1] as i32)
-            };
-            powers.iter().map(monomial).collect()
-        }
-        _ => {
-            let basis = Bernstein::new(lambda.len(), degree);
-            let charges = |a: &usize| {
-                let alpha = &basis.exponents()[*a];
-                (0..lambda.len()).all(|v| {
-                    let needed = on.contains(&v) && !edge.contains(&v);
-                    if on.contains(&v) {
-                        !needed || alpha[v] > 0
-                    } else {
-                        alpha[v] == 0
-                    }
-                })
-            };
-            (0..basis.len())
-                .filter(charges)
-                .map(|a| basis.value(a, lambda))
-                .collect()
-        }
+        2 => edge_functions(lambda[on[0]], lambda[on[1]], degree),
+        3 => face_functions(on, edge, degree, lambda),
+        _ => bubbles(on, edge, degree, lambda),
     }
+}
+
+/// P_l(λ_a−λ_b, λ_a+λ_b), l = 0…r.
+fn edge_functions(a: f64, b: f64, degree: usize) -> Vec<f64> {
+    (0..=degree)
+        .map(|l| scaled_legendre(l, a - b, a + b))
+        .collect()
+}
+
+/// λ_aⁱλ_bʲ, i+j ≤ r−1, times the third coordinate, r ≥ 1: there are none on faces for r = 0.
+fn face_functions(on: &[usize], edge: &[usize], degree: usize, lambda: &[f64]) -> Vec<f64> {
+    let third = on.iter().filter(|v| !edge.contains(v));
+    let third: f64 = third.map(|&v| lambda[v]).product();
+    let monomial =
+        |e: &Vec<usize>| third * lambda[on[0]].powi(e[0] as i32) * lambda[on[1]].powi(e[1] as i32);
+    multi_indices(3, degree - 1).iter().map(monomial).collect()
+}
+
+/// The Bernstein functions that charge all of the simplex with the edge, and nothing else.
+fn bubbles(on: &[usize], edge: &[usize], degree: usize, lambda: &[f64]) -> Vec<f64> {
+    let basis = Bernstein::new(lambda.len(), degree);
+    let charges = |a: &usize| {
+        let alpha = &basis.exponents()[*a];
+        (0..lambda.len()).all(|v| match (on.contains(&v), edge.contains(&v)) {
+            (true, true) => true,
+            (true, false) => alpha[v] > 0,
+            (false, _) => alpha[v] == 0,
+        })
+    };
+    (0..basis.len())
+        .filter(charges)
+        .map(|a| basis.value(a, lambda))
+        .collect()
 }
 
 impl EdgeBasis {
@@ -84,24 +81,19 @@ impl EdgeBasis {
         let rule = Rule::new(n, 2 * degree);
         let to_bernstein = projection_matrix(&basis, &rule)?;
         let (mut values, mut stands_for) = (Vec::new(), Vec::new());
-        for k in 1..=n.min(degree + 1) {
-            for on in subsets(n + 1, k + 1)
-                .iter()
-                .filter(|on| edge.iter().all(|v| on.contains(v)))
-            {
-                let at = |q: usize| functions_of(on, edge, degree, rule.points().lambda(q));
-                let table: Vec<Vec<f64>> = (0..rule.len()).map(at).collect();
-                for f in 0..table[0].len() {
-                    values.push(DVector::from_fn(rule.len(), |q, _| table[q][f]));
-                }
-                let own = |a: &usize| {
-                    (0..=n).all(|v| {
-                        let charged = basis.exponents()[*a][v] > 0 || edge.contains(&v);
-                        charged == on.contains(&v)
-                    })
-                };
-                stands_for.extend((0..basis.len()).filter(own));
+        for on in simplices_around(n, edge, degree) {
+            let at = |q: usize| functions_of(&on, edge, degree, rule.points().lambda(q));
+            let table: Vec<Vec<f64>> = (0..rule.len()).map(at).collect();
+            for f in 0..table[0].len() {
+                values.push(DVector::from_fn(rule.len(), |q, _| table[q][f]));
             }
+            let own = |a: &usize| {
+                (0..=n).all(|v| {
+                    let charged = basis.exponents()[*a][v] > 0 || edge.contains(&v);
+                    charged == on.contains(&v)
+                })
+            };
+            stands_for.extend((0..basis.len()).filter(own));
         }
         let functions = to_bernstein * DMatrix::from_columns(&values);
         let inverse = functions
@@ -116,17 +108,46 @@ impl EdgeBasis {
     }
 }
 
+/// The simplices of an n-simplex that contain the edge and have functions of degree r: those of dimension ≤ r+1.
+fn simplices_around(n: usize, edge: &[usize], degree: usize) -> Vec<Vec<usize>> {
+    (1..=n.min(degree + 1))
+        .flat_map(|k| subsets(n + 1, k + 1))
+        .filter(|on| edge.iter().all(|v| on.contains(v)))
+        .collect()
+}
+
 /// The Regge coefficients of the function whose hierarchical coefficients are the averages over cells of those of
 /// the given local polynomials, `[cell][edge][α]`.
-pub(super) fn average<const N: usize>(
+pub(super) fn coefficients<const N: usize>(
     space: &ReggeSpace<N>,
-    cells: Vec<Vec<f64>>,
+    cells: &[Vec<f64>],
 ) -> Result<Vec<f64>, Error> {
-    let edges = subsets(N + 1, 2);
-    let bases = edges
+    let bases = subsets(N + 1, 2)
         .iter()
         .map(|e| EdgeBasis::new(N, e, space.degree()))
         .collect::<Result<Vec<EdgeBasis>, Error>>()?;
+    let means = means(space, &bases, cells);
+    let mut result = vec![0.0; space.len()];
+    for cell in 0..cells.len() {
+        for (e, basis) in bases.iter().enumerate() {
+            let averaged = basis.stands_for.iter();
+            let averaged = averaged.map(|&a| means[space.cell_dof(cell, e, a)]);
+            let q = &basis.functions * DVector::from_iterator(basis.stands_for.len(), averaged);
+            for (alpha, &c) in q.iter().enumerate() {
+                // Cells that share the simplex agree on this up to rounding: its functions there are the same.
+                result[space.cell_dof(cell, e, alpha)] = c;
+            }
+        }
+    }
+    Ok(result)
+}
+
+/// The hierarchical coefficients, averaged over the cells that share them.
+fn means<const N: usize>(
+    space: &ReggeSpace<N>,
+    bases: &[EdgeBasis],
+    cells: &[Vec<f64>],
+) -> Vec<f64> {
     let size = bases[0].stands_for.len();
     let (mut sums, mut shares) = (vec![0.0; space.len()], vec![0.0; space.len()]);
     for (cell, local) in cells.iter().enumerate() {
@@ -140,22 +161,8 @@ pub(super) fn average<const N: usize>(
             }
         }
     }
-    let mut result = vec![0.0; space.len()];
-    for cell in 0..cells.len() {
-        for (e, basis) in bases.iter().enumerate() {
-            let averaged = DVector::from_iterator(
-                size,
-                basis.stands_for.iter().map(|&a| {
-                    let dof = space.cell_dof(cell, e, a);
-                    sums[dof] / shares[dof]
-                }),
-            );
-            let q = &basis.functions * averaged;
-            for alpha in 0..size {
-                // Cells that share the simplex agree on this up to rounding: its functions there are the same.
-                result[space.cell_dof(cell, e, alpha)] = q[alpha];
-            }
-        }
+    for (sum, share) in sums.iter_mut().zip(shares) {
+        *sum /= share;
     }
-    Ok(result)
+    sums
 }

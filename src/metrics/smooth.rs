@@ -1,7 +1,7 @@
 //! Metrics given by a formula in the coordinates of ℝ^N, pulled back to the cells of a mesh.
 
 use crate::Error;
-use crate::field::{Evaluate, TensorField};
+use crate::field::{Ambient, Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::{Mat, Vector, symmetric, zeros};
 use crate::mesh::Mesh;
@@ -16,6 +16,13 @@ pub trait SmoothTensor<const N: usize>: Sync {
     /// Is the formula meant at this point?
     fn contains(&self, _x: &[f64; N]) -> bool {
         true
+    }
+}
+
+impl<M: SmoothTensor<N>, const N: usize> Ambient<N> for M {
+    fn jets_at(&self, x: &[f64; N]) -> Option<Mat<Jet2<f64, N>, N>> {
+        let at = std::array::from_fn(|i| Jet2::coordinate(x[i], i));
+        self.contains(x).then(|| self.at(&at))
     }
 }
 
@@ -123,6 +130,10 @@ impl<T: Real, M: SmoothTensor<N>, const N: usize> Evaluate<T, N> for Smooth<M, N
 
     fn value(&self, map: &AffineMap<N>, table: &Self::Table, block: usize) -> Mat<T, N> {
         map.pull_back(&self.formula.at(&map.point(&table[block])))
+    }
+
+    fn ambient(&self) -> Option<&dyn Ambient<N>> {
+        Some(&self.formula)
     }
 }
 

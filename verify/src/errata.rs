@@ -6,14 +6,14 @@ use crate::claim::seed::Key;
 use crate::claims::mesh::second_variation;
 use crate::claims::mesh::setting::Draw;
 use regge_curvature::Error;
-use regge_curvature::interpolate::Canonical;
+use regge_curvature::interpolate::{Canonical, Interpolant};
 use regge_curvature::linalg::{Mat, symmetric};
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::{Smooth, SmoothTensor};
 use regge_curvature::scalar::Real;
 use regge_curvature::spaces::ReggeSpace;
-use regge_study::{Case, Interpolation, ProjectionKind, Quadrature, Quantity, Study};
+use regge_study::{Case, ProjectionKind, Quadrature, Quantity, Study};
 
 /// d²/dt² of the total curvature at the flat torus by hyper-dual numbers, and the printed formula for it.
 pub fn conormal() -> (f64, f64) {
@@ -58,7 +58,7 @@ pub fn scaling(k: f64) -> Result<(f64, f64), Error> {
 /// If the study cannot be computed.
 pub fn errors(
     level: u32,
-    interpolant: Interpolation,
+    interpolant: Interpolant,
     projection: ProjectionKind,
     quadrature: Quadrature,
 ) -> Result<Vec<f64>, Error> {
@@ -122,7 +122,7 @@ fn scaling_section() -> Result<String, Error> {
 }
 
 fn quadrature_section() -> Result<String, Error> {
-    let hierarchical = Interpolation::AverageHierarchical;
+    let hierarchical = Interpolant::average_hierarchical();
     let printed = errors(
         0,
         hierarchical,
@@ -153,8 +153,8 @@ fn quadrature_section() -> Result<String, Error> {
 fn interpolant_section() -> Result<String, Error> {
     let of = |i| errors(2, i, ProjectionKind::Exact, Quadrature::CONVERGED);
     let (appendix, tables) = (
-        of(Interpolation::Average)?,
-        of(Interpolation::AverageHierarchical)?,
+        of(Interpolant::average())?,
+        of(Interpolant::average_hierarchical())?,
     );
     let mut rows = String::new();
     for r in 0..3 {

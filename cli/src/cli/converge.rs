@@ -5,8 +5,9 @@ use super::reproduce::{DEFAULT_SEED, Orders};
 use super::stop::Stop;
 use super::values::{Levels, named};
 use super::{journal, memory};
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
-use regge_study::{Case, Interpolation, Named, ProjectionKind, Quantity, Study};
+use regge_study::{Case, Named, ProjectionKind, Quantity, Study};
 use std::path::PathBuf;
 
 const DETAILS: &str = "\
@@ -53,9 +54,9 @@ pub struct Args {
         value_name = "NAME,...",
         value_delimiter = ',',
         default_value = "average",
-        value_parser = named::<Interpolation>()
+        value_parser = named::<Interpolant>()
     )]
-    interpolant: Vec<Interpolation>,
+    interpolant: Vec<Interpolant>,
     /// What is measured
     #[arg(long, default_value = "curvature-error", value_parser = named::<Quantity>())]
     quantity: Quantity,

@@ -3,10 +3,11 @@
 use super::stop::Stop;
 use super::values::named;
 use regge_cli::curvature::{CurvatureError, Source};
+use regge_curvature::interpolate::Interpolant;
 use regge_readers::InputError;
 use regge_readers::mesh::{MeshFile, read_mesh};
 use regge_readers::metric::read_metric;
-use regge_study::{Interpolation, LARGEST_DEGREE};
+use regge_study::LARGEST_DEGREE;
 use std::path::PathBuf;
 
 /// What is said of these arguments at the end of the help.
@@ -41,8 +42,8 @@ pub struct Given {
     #[arg(long, value_name = "R", default_value_t = 0)]
     pub degree: usize,
     /// How the Regge metric is made from the smooth one
-    #[arg(long, default_value = "canonical", value_parser = named::<Interpolation>())]
-    interpolant: Interpolation,
+    #[arg(long, default_value = "canonical", value_parser = named::<Interpolant>())]
+    interpolant: Interpolant,
     /// Order of quadrature [default: raised until the sums settle to 1e-8 of the largest]
     #[arg(long, value_name = "ORDER", value_parser = clap::value_parser!(u64).range(0..=60))]
     quadrature: Option<u64>,
@@ -57,13 +58,8 @@ impl Given {
                 self.degree
             )));
         }
-        if self.degree > 0 && self.interpolant == Interpolation::Geodesic {
-            return Err(Stop::Usage(format!(
-                "the geodesic interpolant has degree 0, not {}",
-                self.degree
-            )));
-        }
-        Ok(())
+        let checked = self.interpolant.check_degree(self.degree);
+        checked.map_err(|error| Stop::Usage(error.to_string()))
     }
 
     /// The order of quadrature, if it is given.

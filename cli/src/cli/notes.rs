@@ -1,6 +1,7 @@
 //! What must be said beside the numbers: where they differ from the printed ones, and why.
 
-use regge_study::{Interpolation, LoadQuadrature, ProjectionKind, Quantity, Row, Study};
+use regge_curvature::interpolate::Interpolant;
+use regge_study::{LoadQuadrature, ProjectionKind, Quantity, Row, Study};
 
 /// The notes for a study that has rows with printed counterparts; none otherwise.
 pub fn of(study: &Study, rows: &[Row]) -> Vec<String> {
@@ -23,7 +24,7 @@ fn quadrature(study: &Study) -> Option<String> {
     let canonical = study
         .interpolants
         .iter()
-        .all(|interpolant| !interpolant.is_average());
+        .all(|interpolant| !interpolant.projects());
     match study.quadrature.load {
         _ if canonical => None,
         LoadQuadrature::AsPrinted => Some(as_printed(study.dimension)),
@@ -78,7 +79,10 @@ printed numbers.";
 
 fn critical(study: &Study) -> Option<String> {
     let printed = study.quadrature.load == LoadQuadrature::AsPrinted;
-    let canonical = study.interpolants.contains(&Interpolation::Canonical);
+    let canonical = study
+        .interpolants
+        .iter()
+        .any(|i| i.is(&Interpolant::canonical()));
     let zero = match canonical && !printed && study.cases.iter().any(|case| case.level == 0) {
         true => {
             " At k = 0 the canonical interpolant's term is exactly zero: what is shown is rounding, what is printed is \

@@ -2,8 +2,9 @@
 
 use super::stop::Stop;
 use regge_cli::plot::{Curve, Figure, Guide};
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
-use regge_study::{Interpolation, Named, Quantity, ROUNDING, Report, Row, Study};
+use regge_study::{Named, Quantity, ROUNDING, Report, Row, Study};
 
 /// The SVG.
 pub fn svg(study: &Study, report: &Report, title: &str) -> Result<String, Stop> {
@@ -43,7 +44,7 @@ fn figure(study: &Study, report: &Report, title: &str) -> Figure {
 fn curve(
     degree: usize,
     dashed: usize,
-    interpolant: Interpolation,
+    interpolant: Interpolant,
     several: bool,
     rows: &[&Row],
 ) -> Curve {
@@ -72,7 +73,7 @@ fn curve(
 fn guide(
     study: &Study,
     degree: usize,
-    interpolant: Interpolation,
+    interpolant: Interpolant,
     curve: &Curve,
     others: &[Guide],
 ) -> Option<Guide> {
@@ -95,12 +96,14 @@ fn guide(
 }
 
 /// The order in h that is to be expected. Paper: cor:conv, section 5 (observed for the canonical interpolant).
-fn expected_order(study: &Study, degree: usize, interpolant: Interpolation) -> Option<usize> {
+fn expected_order(study: &Study, degree: usize, interpolant: Interpolant) -> Option<usize> {
     if study.metric == Metric::Flat {
         return None;
     }
     match study.quantity {
-        Quantity::CriticalTerm if interpolant == Interpolation::Canonical => Some(2 * (degree + 1)),
+        Quantity::CriticalTerm if interpolant.is(&Interpolant::canonical()) => {
+            Some(2 * (degree + 1))
+        }
         Quantity::CriticalTerm => (degree > 0).then_some(2 * degree),
         Quantity::CurvatureError | Quantity::BTerm => Some(degree + 1),
         _ => None,

@@ -1,8 +1,9 @@
 //! Rows as a table, each beside what the paper has.
 
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
 use regge_study::printed;
-use regge_study::{Fit, Interpolation, Named, Row, Study};
+use regge_study::{Fit, Row, Study};
 use std::io::{self, Write};
 
 /// Writes the table's head.
@@ -75,13 +76,13 @@ fn number(x: Option<f64>, digits: usize) -> String {
 }
 
 fn printed_order(metric: Metric, row: &Row, study: &Study) -> Option<f64> {
-    let interpolant = Interpolation::from_name(&row.interpolant)?;
+    let interpolant = Interpolant::named(&row.interpolant)?;
     printed::series(
         metric,
         row.dimension,
         study.quantity,
         row.degree,
-        interpolant,
+        &interpolant,
     )?
     .order(row.level)
 }

@@ -39,7 +39,7 @@ impl FromStr for Levels {
 
 /// Parses one of the names of a list; clap shows the list to those who miss it.
 pub fn named<T: Named>() -> impl TypedValueParser<Value = T> {
-    let names = T::ALL.iter().map(|entry| entry.0);
+    let names = T::all().iter().map(T::name_of).collect::<Vec<_>>();
     PossibleValuesParser::new(names)
         .try_map(|name| T::from_name(&name).ok_or_else(|| format!("no such {}", T::KIND)))
 }

@@ -1,6 +1,7 @@
 //! A Regge metric on the mesh of a file, of whatever dimension, and what is to be done with it.
 
 use super::{CurvatureError, failed, input, smooth};
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Smooth;
 use regge_curvature::quadrature::Rule;
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
@@ -8,14 +9,13 @@ use regge_readers::expression::Expression;
 use regge_readers::mesh::MeshFile;
 use regge_readers::metric::{FormulaMetric, MetricFile};
 use regge_readers::read_lengths;
-use regge_study::{Interpolation, Named, ProjectionKind};
 use std::path::PathBuf;
 
 /// Where the Regge metric comes from.
 #[derive(Clone, Debug)]
 pub enum Source {
     /// A smooth metric, to be interpolated.
-    Metric(Box<MetricFile>, Interpolation),
+    Metric(Box<MetricFile>, Interpolant),
     /// A table of edge lengths.
     Lengths(PathBuf),
 }
@@ -86,8 +86,8 @@ fn in_dimension<const N: usize, K: Task>(
 ) -> Result<K::Output, CurvatureError> {
     phase("building the mesh");
     match source {
-        Source::Metric(metric, interpolation) => {
-            by_metric::<N, K>(file, metric, *interpolation, degree, phase, task)
+        Source::Metric(metric, interpolant) => {
+            by_metric::<N, K>(file, metric, *interpolant, degree, phase, task)
         }
         Source::Lengths(lengths) => {
             let mesh = file.abstract_mesh::<N>()?;
@@ -108,7 +108,7 @@ fn in_dimension<const N: usize, K: Task>(
 fn by_metric<const N: usize, K: Task>(
     file: &MeshFile,
     metric: &MetricFile,
-    interpolation: Interpolation,
+    interpolant: Interpolant,
     degree: usize,
     phase: Phase<'_>,
     task: &K,
@@ -117,7 +117,7 @@ fn by_metric<const N: usize, K: Task>(
     let g = Smooth::new(&mesh, metric.metric()).map_err(input)?;
     phase("interpolating the metric");
     let space = ReggeSpace::new(&mesh, degree);
-    let g_h = interpolation.apply(&space, &g, ProjectionKind::Exact);
+    let g_h = interpolant.apply(&space, &g);
     // The interpolant refuses what is not positive definite where it looks; the formula may be to blame for it.
     let g_h = g_h.map_err(|error| match blame(&g, degree) {
         Err(formula) => input(formula),
@@ -126,7 +126,7 @@ fn by_metric<const N: usize, K: Task>(
     task.run(&Given {
         file,
         g_h: &g_h,
-        interpolant: interpolation.name_of(),
+        interpolant: interpolant.name(),
         origin: Some((&g, metric.exact_scalar_curvature.as_ref())),
     })
 }
@@ -139,5 +139,5 @@ fn blame<const N: usize>(
     smooth::check_values(g, &Rule::new(N, 2 * degree + 2))?;
     smooth::check_edges(g, degree)?;
     // The rule of the local projections.
-    smooth::check_values(g, &Rule::new(N, 2 * degree + 12))
+    smooth::check_values(g, &Rule::new(N, Interpolant::default_order(degree)))
 }

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 use regge_curvature::field::TensorField;
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, indefinite_pivot};
 use regge_curvature::metrics::{AffineMap, Smooth, SmoothTensor};
@@ -104,7 +105,7 @@ pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
     g: &Smooth<M, N>,
     degree: usize,
 ) -> Result<(), Error> {
-    let rule = Rule::new(1, 2 * degree + 12);
+    let rule = Rule::new(1, Interpolant::default_order(degree));
     subsets(N + 1, 2).iter().try_for_each(|edge| {
         let points = rule.points().embed(edge, N + 1);
         check_at(g, &points, |local, table, q| {

@@ -2,8 +2,9 @@
 
 pub mod files;
 
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
-use regge_study::{Case, Interpolation, ProjectionKind, Quadrature, Quantity, Row, Study};
+use regge_study::{Case, ProjectionKind, Quadrature, Quantity, Row, Study};
 use std::ops::RangeInclusive;
 
 /// The seed that the command line uses unless told otherwise.
@@ -16,7 +17,7 @@ pub fn study(dimension: usize, degrees: &[usize], levels: RangeInclusive<u32>) -
         metric: Metric::GraphQuartic,
         dimension,
         quantity: Quantity::CurvatureError,
-        interpolants: vec![Interpolation::AverageHierarchical],
+        interpolants: vec![Interpolant::average_hierarchical()],
         projection: ProjectionKind::Exact,
         quadrature: Quadrature::CONVERGED,
         seed: SEED,

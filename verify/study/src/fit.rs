@@ -1,6 +1,9 @@
 //! Orders of convergence fitted over several levels.
 
-use crate::{Interpolation, Named, ROUNDING, Row, Study, printed};
+use crate::printed;
+use crate::row::{ROUNDING, Row};
+use crate::study::Study;
+use regge_curvature::interpolate::Interpolant;
 use serde::{Deserialize, Serialize};
 
 /// Over so many of the finest levels.
@@ -41,13 +44,13 @@ fn fit(study: &Study, first: &Row, rows: &[Row]) -> Option<Fit> {
     last.sort_by_key(|row| row.level);
     let last = last.split_off(last.len().checked_sub(LEVELS)?);
     let ours: Vec<_> = last.iter().map(|r| (r.mesh_size, r.error)).collect();
-    let interpolation = Interpolation::from_name(&first.interpolant)?;
+    let interpolant = Interpolant::named(&first.interpolant)?;
     let series = printed::series(
         study.metric,
         study.dimension,
         study.quantity,
         first.degree,
-        interpolation,
+        &interpolant,
     );
     let printed = last.iter().map(|r| series?.point(r.level)).collect();
     Some(Fit {

@@ -1,6 +1,7 @@
 //! How much memory a case takes.
 
-use super::{Case, Study};
+use crate::case::Case;
+use crate::study::Study;
 
 /// How many k-simplices the cube's mesh has, k = 0…N, N = 2 or 3.
 fn counts(dimension: usize, level: u32) -> Vec<f64> {

@@ -1,13 +1,14 @@
 //! The functionals v ↦ f(v) whose H⁻² norms are studied.
 
-use super::Named;
-use regge_curvature::field::{Combination, TensorField};
+use crate::named::Named;
+use regge_curvature::field::Combination;
 use regge_curvature::functional::{
     Rules, Sums, a_h, b_h, distributional_curvature, smooth_curvature,
 };
+use regge_curvature::metrics::{Metric, Smooth};
 use regge_curvature::quadrature::{Rule, gauss_legendre};
 use regge_curvature::scalar::Lanes;
-use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{Lagrange, ReggeFunction};
 
 /// A functional of g and g_h. With g̃(t) = (1−t) g + t g_h and σ = g_h − g the error is ∫₀¹ b_h − a_h dt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,75 +27,153 @@ pub enum Quantity {
     SecondFormTerm,
 }
 
+/// What a quantity is made of.
+struct Record {
+    quantity: Quantity,
+    /// As reports and the command line write it.
+    name: &'static str,
+    form: Form,
+    /// The sums that are looked at: cells, faces, hinges.
+    sums: [bool; 3],
+    sign: f64,
+}
+
+/// Of which functional a quantity is a part.
+#[derive(Clone, Copy)]
+enum Form {
+    /// The curvature of g_h less that of g.
+    Difference,
+    /// b_h along the segment from g to g_h.
+    B,
+    /// a_h along the segment from g to g_h.
+    A,
+}
+
+const TABLE: [Record; 6] = [
+    Record::new(
+        Quantity::CurvatureError,
+        "curvature-error",
+        Form::Difference,
+        [true; 3],
+        1.0,
+    ),
+    // It enters a_h with a minus sign.
+    Record::new(
+        Quantity::CriticalTerm,
+        "critical-term",
+        Form::A,
+        [false, false, true],
+        -1.0,
+    ),
+    Record::new(Quantity::BTerm, "b-term", Form::B, [true; 3], 1.0),
+    Record::new(Quantity::ATerm, "a-term", Form::A, [true; 3], 1.0),
+    Record::new(
+        Quantity::EinsteinTerm,
+        "einstein-term",
+        Form::A,
+        [true, false, false],
+        1.0,
+    ),
+    Record::new(
+        Quantity::SecondFormTerm,
+        "second-form-term",
+        Form::A,
+        [false, true, false],
+        1.0,
+    ),
+];
+
 impl Named for Quantity {
     const KIND: &'static str = "quantity";
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("curvature-error", Self::CurvatureError),
-        ("critical-term", Self::CriticalTerm),
-        ("b-term", Self::BTerm),
-        ("a-term", Self::ATerm),
-        ("einstein-term", Self::EinsteinTerm),
-        ("second-form-term", Self::SecondFormTerm),
-    ];
+
+    fn all() -> Vec<Self> {
+        TABLE.iter().map(|record| record.quantity).collect()
+    }
+
+    fn name_of(&self) -> &'static str {
+        self.record().name
+    }
 }
 
 /// Points of the Gauss rule in t. Paper: "a Gauss quadrature of order seven".
 const POINTS_IN_T: usize = 4;
 
 impl Quantity {
+    fn record(self) -> &'static Record {
+        const { &TABLE }
+            .iter()
+            .find(|record| record.quantity == self)
+            .expect("every quantity has its line in the table")
+    }
+
     /// f(v) for every v of the space; the smooth metric g is integrated by the same rules as g_h.
-    pub fn load<const N: usize, G, H>(
+    pub(super) fn load<const N: usize>(
         self,
-        g: &G,
-        g_h: &H,
+        g: &Smooth<Metric, N>,
+        g_h: &ReggeFunction<f64, N>,
         space: &Lagrange<N>,
         rules: &Rules,
-    ) -> Vec<f64>
-    where
-        G: TensorField<Lanes, N>,
-        H: TensorField<Lanes, N>,
-    {
-        match self {
-            Self::CurvatureError => {
-                let smooth = smooth_curvature::<Lanes, N, G>(g, space, &rules.cells);
-                let mut load = distributional_curvature::<Lanes, N, H>(g_h, space, rules).total();
+    ) -> Vec<f64> {
+        let record = self.record();
+        let rules = &record.rules(rules);
+        match record.form {
+            Form::Difference => {
+                let smooth = smooth_curvature::<Lanes, N, _>(g, space, &rules.cells);
+                let mut load = distributional_curvature::<Lanes, N, _>(g_h, space, rules).total();
                 add(&mut load, -1.0, &smooth);
                 load
             }
-            Self::BTerm => {
-                let b = |g: &_, sigma: &_| b_h(g, sigma, space, rules).total();
-                along_segment(g, g_h, space, b)
+            Form::A => {
+                let a = |g: &Segment<'_, N>, sigma: &_| record.part(a_h(g, sigma, space, rules));
+                along_segment(g, g_h, space.len(), &a)
             }
-            _ => {
-                let rules = self.rules_of_a(rules);
-                let a = |g: &_, sigma: &_| self.part_of_a(a_h(g, sigma, space, &rules));
-                along_segment(g, g_h, space, a)
+            Form::B => {
+                let b = |g: &Segment<'_, N>, sigma: &_| record.part(b_h(g, sigma, space, rules));
+                along_segment(g, g_h, space.len(), &b)
             }
+        }
+    }
+}
+
+impl Record {
+    const fn new(
+        quantity: Quantity,
+        name: &'static str,
+        form: Form,
+        sums: [bool; 3],
+        sign: f64,
+    ) -> Self {
+        Self {
+            quantity,
+            name,
+            form,
+            sums,
+            sign,
         }
     }
 
     /// The rules of the sums that are looked at; one point a simplex for the others.
-    fn rules_of_a(self, rules: &Rules) -> Rules {
-        let [element, face, hinge] = [&rules.cells, &rules.faces, &rules.hinges];
+    fn rules(&self, rules: &Rules) -> Rules {
         let chosen = |used: bool, rule: &Rule| match used {
             true => rule.clone(),
             false => Rule::new(rule.points().vertices() - 1, 0),
         };
         Rules {
-            cells: chosen(matches!(self, Self::ATerm | Self::EinsteinTerm), element),
-            faces: chosen(matches!(self, Self::ATerm | Self::SecondFormTerm), face),
-            hinges: chosen(matches!(self, Self::ATerm | Self::CriticalTerm), hinge),
+            cells: chosen(self.sums[0], &rules.cells),
+            faces: chosen(self.sums[1], &rules.faces),
+            hinges: chosen(self.sums[2], &rules.hinges),
         }
     }
 
-    /// What is looked at; the critical term enters a_h with a minus sign.
-    fn part_of_a(self, sums: Sums<f64>) -> Vec<f64> {
-        match self {
-            Self::EinsteinTerm => sums.cells,
-            Self::SecondFormTerm => sums.faces,
-            Self::CriticalTerm => sums.hinges.into_iter().map(|x| -x).collect(),
-            _ => sums.total(),
+    /// The sums that are looked at, added up.
+    fn part(&self, sums: Sums<f64>) -> Vec<f64> {
+        let mut part = vec![0.0; sums.cells.len()];
+        for (used, sum) in self.sums.iter().zip([sums.cells, sums.faces, sums.hinges]) {
+            if *used {
+                add(&mut part, self.sign, &sum);
+            }
         }
+        part
     }
 }
 
@@ -105,22 +184,19 @@ fn add(y: &mut [f64], alpha: f64, x: &[f64]) {
     }
 }
 
-type Segment<'a, G, H> = Combination<&'a G, &'a H, Lanes>;
+type Segment<'a, const N: usize> =
+    Combination<&'a Smooth<Metric, N>, &'a ReggeFunction<f64, N>, Lanes>;
 
-/// ∫₀¹ f(g̃(t), σ) dt by Gauss' rule.
-fn along_segment<'a, const N: usize, G, H>(
-    g: &'a G,
-    g_h: &'a H,
-    space: &Lagrange<N>,
-    f: impl Fn(&Segment<'a, G, H>, &Segment<'a, G, H>) -> Vec<f64>,
-) -> Vec<f64>
-where
-    G: TensorField<Lanes, N>,
-    H: TensorField<Lanes, N>,
-{
+/// ∫₀¹ f(g̃(t), σ) dt by Gauss' rule, f with so many entries.
+fn along_segment<'a, const N: usize>(
+    g: &'a Smooth<Metric, N>,
+    g_h: &'a ReggeFunction<f64, N>,
+    entries: usize,
+    f: &dyn Fn(&Segment<'a, N>, &Segment<'a, N>) -> Vec<f64>,
+) -> Vec<f64> {
     let one = Lanes::new([1.0; 4]);
     let sigma = Combination::new(-one, g, one, g_h);
-    let mut load = vec![0.0; space.len()];
+    let mut load = vec![0.0; entries];
     let (points, weights) = gauss_legendre(POINTS_IN_T);
     for (t, weight) in points.into_iter().zip(weights) {
         let metric = Combination::segment(g, g_h, Lanes::new([t; 4]));

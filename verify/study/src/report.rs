@@ -1,7 +1,11 @@
 //! A study as one JSON object.
 
-use super::rules::{LoadQuadrature, QuadratureReport};
-use super::{Case, Fit, Named, Row, Study, fits};
+use crate::case::Case;
+use crate::fit::{Fit, fits};
+use crate::named::Named;
+use crate::row::Row;
+use crate::rules::{LoadQuadrature, QuadratureReport};
+use crate::study::Study;
 use serde::{Deserialize, Serialize};
 
 /// What a study was and what came out.

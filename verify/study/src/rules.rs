@@ -1,7 +1,7 @@
 //! The quadrature of a study: converged, of a given order, or that of the printed tables.
 
-use super::Case;
-use super::printed_rules::printed_rule;
+use crate::case::Case;
+use crate::printed_rules::printed_rule;
 use regge_curvature::Error;
 use regge_curvature::functional::Rules;
 use regge_curvature::quadrature::Rule;
@@ -134,24 +134,24 @@ impl Quadrature {
         }
     }
 
-    /// The rules of a case.
+    /// The rules of a case on a mesh of dimension n.
     ///
     /// # Errors
     /// If the embedded table is damaged.
-    pub fn rules<const N: usize>(self, case: Case) -> Result<StudyRules, Error> {
+    pub fn rules(self, n: usize, case: Case) -> Result<StudyRules, Error> {
         let order = self.load_order(case);
-        let load = match self.load {
-            LoadQuadrature::Converged | LoadQuadrature::Order(_) => Rules::new::<N>(order),
-            LoadQuadrature::AsPrinted => Rules {
-                cells: printed_rule(N, order)?,
-                faces: printed_rule(N - 1, order)?,
-                hinges: printed_rule(N - 2, order)?,
-            },
+        let rule = |dimension: usize| match self.load {
+            LoadQuadrature::Converged | LoadQuadrature::Order(_) => Ok(Rule::new(dimension, order)),
+            LoadQuadrature::AsPrinted => printed_rule(dimension, order),
         };
-        let norm = self
-            .norm_order(N, case.degree)
-            .map(|order| printed_rule(N, order))
-            .transpose()?;
-        Ok(StudyRules { load, norm })
+        let norm = self.norm_order(n, case.degree);
+        Ok(StudyRules {
+            load: Rules {
+                cells: rule(n)?,
+                faces: rule(n - 1)?,
+                hinges: rule(n - 2)?,
+            },
+            norm: norm.map(|order| printed_rule(n, order)).transpose()?,
+        })
     }
 }

@@ -11,7 +11,7 @@ use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{
     Rules, a_h_with, b_h_with, distributional_curvature_with, smooth_curvature,
 };
-use regge_curvature::interpolate::{Interpolant, Projection, geodesic_interpolant};
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::Smooth;
@@ -102,9 +102,12 @@ impl<K: Formulas, const N: usize> Ends<'_, K, N> {
 
 const NONE: &str = "(Gω)_dist = 0 when N = 2";
 
-/// The interpolants of a degree, by number: three, and the geodesic one for r = 0.
-fn interpolants(degree: usize) -> usize {
-    3 + usize::from(degree == 0)
+/// The interpolants of a degree.
+fn interpolants(degree: usize) -> Vec<Interpolant> {
+    Interpolant::ALL
+        .into_iter()
+        .filter(|one| one.check_degree(degree).is_ok())
+        .collect()
 }
 
 fn interpolant<const N: usize>(
@@ -112,15 +115,11 @@ fn interpolant<const N: usize>(
     regge: &ReggeSpace<N>,
     g: &Smooth<Patch<N>, N>,
 ) -> Regge<f64, N> {
-    let projection = Projection::exact::<N>(regge.degree());
-    let found = match pick {
-        0 => Interpolant::Canonical { order: 16 }.apply(regge, g),
-        1 => Interpolant::Average(projection).apply(regge, g),
-        2 => Interpolant::AverageHierarchical(projection).apply(regge, g),
-        _ => geodesic_interpolant(regge, g.formula()),
-    };
-    // They are near g, which is positive definite.
-    found.unwrap_or_else(|e| panic!("interpolant {pick}: {e}"))
+    let chosen = interpolants(regge.degree())[pick];
+    // It is near g, which is positive definite.
+    chosen
+        .apply(regge, g)
+        .unwrap_or_else(|e| panic!("{}: {e}", chosen.name()))
 }
 
 /// Every interpolant of every degree, so many times.
@@ -132,8 +131,9 @@ fn settings(dimension: usize, degrees: usize, times: usize) -> Vec<Setting> {
     };
     let of = |degree| {
         let at = Setting::new(shape, degree, order);
-        (0..interpolants(degree) * times).map(move |i| Setting {
-            pick: i % interpolants(degree),
+        let count = interpolants(degree).len();
+        (0..count * times).map(move |i| Setting {
+            pick: i % count,
             ..at
         })
     };

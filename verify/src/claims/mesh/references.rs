@@ -10,10 +10,10 @@ use super::variation::FLAT;
 use crate::claim::{Equation, Excuses, Judgement, Method, Record};
 use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{Rules, distributional_curvature_with};
-use regge_curvature::interpolate::{Interpolant, Projection};
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Smooth;
-use regge_curvature::quadrature::{Rule, gauss_legendre};
+use regge_curvature::quadrature::gauss_legendre;
 use regge_curvature::spaces::Lagrange;
 use regge_curvature::spaces::ReggeSpace;
 use regge_oracle::Oracle;
@@ -224,14 +224,14 @@ impl OnMesh for InterpolantOracle {
         let mesh: Mesh<N> = case.mesh();
         let regge = ReggeSpace::new(&mesh, case.degree);
         let g = Smooth::new(&mesh, case.formula()).unwrap_or_else(|e| panic!("{e}"));
-        let hierarchical = Interpolant::AverageHierarchical(Projection::by(Rule::new(N, at.order)));
+        let hierarchical = Interpolant::average_hierarchical().with_order(at.order);
         let (canonical, same) = (case.interpolant == "canonical", case.degree == 0);
         let interpolant = if canonical {
-            Interpolant::Canonical { order: at.order }
+            Interpolant::canonical().with_order(at.order)
         } else {
             hierarchical
         };
-        let other = Interpolant::Average(Projection::exact::<N>(case.degree));
+        let other = Interpolant::average();
         let by = |i: &Interpolant| {
             let g_h = i.apply(&regge, &g).unwrap_or_else(|e| panic!("{e}"));
             g_h.coefficients().to_vec()

@@ -5,7 +5,7 @@ use super::patch::Patch;
 use super::setting::{Draw, OnMesh, Setting, Shape, grid};
 use crate::claim::{Equation, Excuses, Judgement, Method, Record};
 use regge_curvature::formulas::Formulas;
-use regge_curvature::interpolate::{Canonical, Interpolant, Projection};
+use regge_curvature::interpolate::{Canonical, Interpolant};
 use regge_curvature::mesh::{Mesh, Slot};
 use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::Smooth;
@@ -101,7 +101,7 @@ fn average<const N: usize>(
     let loose = ReggeSpace::new(&apart, space.degree());
     let g = Smooth::new(space.mesh(), formula).ok()?;
     let on_apart = Smooth::new(&apart, formula).ok()?;
-    let interpolant = Interpolant::Average(Projection::exact::<N>(space.degree()));
+    let interpolant = Interpolant::average();
     let g_h = interpolant.apply(space, &g).ok()?;
     // Nothing is shared on the mesh without connections: the average is the projection itself.
     let projected = interpolant.apply(&loose, &on_apart).ok()?;
