@@ -174,6 +174,8 @@ pub mod riemann;
 pub mod scalar;
 pub mod simplex;
 pub mod spaces;
+#[cfg(feature = "norms")]
+mod sparse;
 
 pub use error::Error;
 pub use field::TensorField;

@@ -7,11 +7,11 @@
 use crate::Error;
 use crate::field::Evaluate;
 use crate::linalg::inverse_and_det;
-use crate::norm::factor::Factor;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
 use crate::spaces::Lagrange;
-use faer::sparse::linalg::cholesky::SymmetricOrdering;
+use crate::sparse::{CellBlock, Factor, Order, Upper};
+use nalgebra::DMatrix;
 
 /// The test functions of a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,9 +48,8 @@ impl Projection {
         let factor = match unknowns.is_empty() {
             true => None,
             false => {
-                let mass = Mass::new(g, space, &unknowns, rule);
-                let order = SymmetricOrdering::Amd;
-                Some(Factor::of(&mass.columns, &mass.rows, &mass.values, order)?)
+                let mass = mass(g, space, &unknowns, rule);
+                Some(Factor::new(&mass, Order::MinimumDegree)?)
             }
         };
         Ok(Self {
@@ -61,7 +60,11 @@ impl Projection {
     }
 
     /// The coefficients of u from ⟨f, v⟩ for every basis function v; 0 where v is not tested.
+    ///
+    /// # Panics
+    /// If the load has not an entry for each basis function.
     pub fn apply(&self, load: &[f64]) -> Vec<f64> {
+        assert_eq!(load.len(), self.len, "a load of another space");
         let mut x: Vec<f64> = self.unknowns.iter().map(|&dof| load[dof]).collect();
         if let Some(factor) = &self.factor {
             factor.solve(&mut x);
@@ -74,91 +77,47 @@ impl Projection {
     }
 }
 
-/// The upper triangle of ∫ v_i v_j ω in compressed columns.
-struct Mass {
-    columns: Vec<usize>,
-    rows: Vec<usize>,
-    values: Vec<f64>,
-}
-
 /// No unknown.
-const NONE: u32 = u32::MAX;
+const NONE: usize = usize::MAX;
 
-impl Mass {
-    fn new<const N: usize, G: Evaluate<f64, N>>(
-        g: &G,
-        space: &Lagrange<N>,
-        unknowns: &[usize],
-        rule: &Rule,
-    ) -> Self {
-        let mut number = vec![NONE; space.len()];
-        for (i, &dof) in unknowns.iter().enumerate() {
-            number[dof] = i as u32;
-        }
-        let mut mass = Self::pattern(space, &number, unknowns.len());
-        let (table, basis) = (
-            g.tabulate(rule.points()),
-            space.basis(N).tabulate::<f64>(rule.points()),
-        );
-        let size = basis[0].len();
-        let on_cell = |cell: usize| {
-            let local = g.on_cell(cell);
-            let mut matrix = vec![0.0; size * size];
-            for (q, weight) in rule.weights().iter().enumerate() {
-                let (_, det) = inverse_and_det(&g.value(&local, &table, q));
-                let scale = det.sqrt() * weight;
-                for i in 0..size {
-                    for j in 0..size {
-                        matrix[i * size + j] += scale * basis[q][i] * basis[q][j];
-                    }
-                }
-            }
-            matrix
-        };
-        let mut dofs = Vec::with_capacity(size);
-        in_order(space.mesh().cell_count(), on_cell, |cell, matrix| {
-            dofs.clear();
-            dofs.extend(space.cell_dofs(cell).map(|dof| number[dof]));
-            mass.add(&dofs, &matrix);
-        });
-        mass
+/// The matrix ∫ v_i v_j ω of the unknowns.
+fn mass<const N: usize, G: Evaluate<f64, N>>(
+    g: &G,
+    space: &Lagrange<N>,
+    unknowns: &[usize],
+    rule: &Rule,
+) -> Upper {
+    let mut number = vec![NONE; space.len()];
+    for (i, &dof) in unknowns.iter().enumerate() {
+        number[dof] = i;
     }
-
-    /// All pairs of unknowns that share a cell.
-    fn pattern<const N: usize>(space: &Lagrange<N>, number: &[u32], len: usize) -> Self {
-        let mut pairs: Vec<(u32, u32)> = Vec::new();
-        for cell in 0..space.mesh().cell_count() {
-            let dofs = || space.cell_dofs(cell).map(|dof| number[dof]);
-            for column in dofs().filter(|&c| c != NONE) {
-                pairs.extend(dofs().filter(|&r| r <= column).map(|row| (column, row)));
-            }
-        }
-        pairs.sort_unstable();
-        pairs.dedup();
-        let mut columns = vec![0; len + 1];
-        for &(column, _) in &pairs {
-            columns[column as usize + 1] += 1;
-        }
-        for i in 0..len {
-            columns[i + 1] += columns[i];
-        }
-        Self {
-            columns,
-            values: vec![0.0; pairs.len()],
-            rows: pairs.into_iter().map(|(_, row)| row as usize).collect(),
-        }
-    }
-
-    /// Adds a cell's matrix.
-    fn add(&mut self, dofs: &[u32], matrix: &[f64]) {
-        for (j, &column) in dofs.iter().enumerate().filter(|(_, c)| **c != NONE) {
-            let range = self.columns[column as usize]..self.columns[column as usize + 1];
-            for (i, &row) in dofs.iter().enumerate().filter(|(_, r)| **r <= column) {
-                // The pattern has every pair of a cell.
-                if let Ok(at) = self.rows[range.clone()].binary_search(&(row as usize)) {
-                    self.values[range.start + at] += matrix[i * dofs.len() + j];
+    // Every unknown is a block of its own.
+    let blocks = |cell: usize| -> Vec<CellBlock> {
+        let numbers = space.cell_dofs(cell).map(|dof| number[dof]).enumerate();
+        let kept = numbers.filter(|&(_, block)| block != NONE);
+        kept.map(|(start, block)| CellBlock { block, start })
+            .collect()
+    };
+    let cells = space.mesh().cell_count();
+    let mut mass = Upper::new((0..=unknowns.len()).collect(), cells, &blocks);
+    let table = g.tabulate(rule.points());
+    let basis = space.basis(N).tabulate::<f64>(rule.points());
+    let on_cell = |cell: usize| {
+        let (local, size) = (g.on_cell(cell), space.cell_len());
+        let mut matrix = DMatrix::zeros(size, size);
+        for (q, weight) in rule.weights().iter().enumerate() {
+            let (_, det) = inverse_and_det(&g.value(&local, &table, q));
+            let scale = det.sqrt() * weight;
+            for j in 0..size {
+                for i in j..size {
+                    matrix[(i, j)] += scale * basis[q][i] * basis[q][j];
                 }
             }
         }
-    }
+        matrix
+    };
+    in_order(cells, on_cell, |cell, matrix| {
+        mass.add(&blocks(cell), &matrix)
+    });
+    mass
 }

@@ -3,11 +3,18 @@
 mod dense;
 mod plate;
 
-use plate::{load_of, plate_bilaplacian};
+use plate::{Volume, load_of, plate_bilaplacian};
 use regge_curvature::Error;
+use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::{Mesh, SplitMix64};
-use regge_curvature::norm::{HMinus2, HMinus2Norm};
+use regge_curvature::metrics::{Metric, Smooth};
+use regge_curvature::norm::{
+    DualNorm, HMinus2, HMinus2Norm, Kind, NormValue, Part, Representative, Setting, Step,
+    check_load, metric_values,
+};
 use regge_curvature::quadrature::Rule;
+use regge_curvature::simplex::Points;
+use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
 /// A load that is as good as any: seeded random numbers.
 fn random_load(len: usize, seed: u64) -> Vec<f64> {
@@ -320,4 +327,138 @@ fn a_single_cell() {
     assert_eq!(nothing.norm(&[1.0; 6], None).unwrap().total(), 0.0);
     let bubble = HMinus2::new(&mesh, 3).unwrap();
     assert!(bubble.norm(&[1.0; 10], None).unwrap().total() > 0.0);
+}
+
+/// The table of norms: what is asked for by name is what its own constructor makes, to the bit, and the parts have names.
+#[test]
+fn norms_by_name() {
+    fn check<const N: usize>(mesh: &Mesh<N>, degree: usize) {
+        let kind = Kind::named("hm2").expect("the first norm");
+        let test_degree = (kind.degree)(degree);
+        assert_eq!(test_degree, degree + 2);
+        let named = (kind.new)(&Setting::new(mesh, test_degree)).unwrap();
+        let norm = HMinus2::new(mesh, test_degree).unwrap();
+        assert_eq!(named.space().len(), norm.space().len());
+        assert_eq!(named.solver(), norm.solver());
+        let load = random_load(norm.space().len(), 3);
+        let expected = norm.norm(&load, None).unwrap();
+        let found = named.of(&load, None).unwrap();
+        assert_eq!(found, NormValue::from(expected));
+        assert_eq!(found.total, expected.total());
+        let parts: Vec<_> = found.parts.iter().map(|p| (p.name, p.value)).collect();
+        assert_eq!(
+            parts,
+            [
+                ("u_l2", expected.u_l2),
+                ("grad_l2", expected.grad_l2),
+                ("sigma_l2", expected.sigma_l2)
+            ]
+        );
+        // The two steps by themselves.
+        let u = named.represent(&load, &mut |_| ()).unwrap();
+        assert_eq!(u, norm.solve(&load).unwrap());
+        let rule = Rule::new(N, 5);
+        let [found, expected] = [
+            named.measure(&u, Some(&rule)).unwrap().total,
+            norm.norm_of(&u, Some(&rule)).unwrap().total(),
+        ];
+        assert_eq!(found, expected);
+        assert!(matches!(
+            named.represent(&load[1..], &mut |_| ()),
+            Err(Error::Input(_))
+        ));
+    }
+    check(&perturbed::<2>(2, 1), 1);
+    check(&perturbed::<3>(1, 1), 0);
+    assert!(Kind::<2>::named("hm3").is_none());
+    let plane: Vec<_> = Kind::<2>::ALL.iter().map(|kind| kind.name).collect();
+    let space: Vec<_> = Kind::<3>::ALL.iter().map(|kind| kind.name).collect();
+    assert_eq!(plane, space, "the names do not depend on N");
+}
+
+/// A norm that the library does not know, behind the same seam: ‖f‖ = √(Σ f(v)²/d) over the basis functions that vanish on
+/// ∂Ω, d the number of cells that carry v. It asks for nothing but a space, and a metric would be at hand.
+#[derive(Debug)]
+struct Weighted(Lagrange<2>, Vec<f64>);
+
+impl DualNorm<2> for Weighted {
+    fn space(&self) -> &Lagrange<2> {
+        &self.0
+    }
+
+    fn solver(&self) -> &'static str {
+        "diagonal"
+    }
+
+    fn represent(&self, load: &[f64], _: &mut dyn FnMut(Step)) -> Result<Representative, Error> {
+        check_load(&self.0, load)?;
+        let weighted = load.iter().zip(&self.1).map(|(f, w)| f * w);
+        Ok(Representative {
+            coefficients: weighted.collect(),
+        })
+    }
+
+    fn measure(&self, u: &Representative, _: Option<&Rule>) -> Result<NormValue, Error> {
+        let value = u.coefficients.iter().map(|x| x * x).sum::<f64>().sqrt();
+        Ok(NormValue::of_parts(vec![Part { name: "l2", value }]))
+    }
+}
+
+fn weighted(setting: &Setting<'_, 2>) -> Result<Box<dyn DualNorm<2>>, Error> {
+    let space = Lagrange::new(setting.mesh, setting.degree);
+    let centre = Points::new(3, vec![1.0 / 3.0; 3]);
+    let mut weights = vec![0.0; space.len()];
+    for cell in 0..setting.mesh.cell_count() {
+        // √det g at the centre; 1 without a metric.
+        let root = setting.metric.map_or(1.0, |g| {
+            let g = g(cell, &centre)[0];
+            (g[(0, 0)] * g[(1, 1)] - g[(0, 1)] * g[(1, 0)]).sqrt()
+        });
+        for dof in space.cell_dofs(cell) {
+            weights[dof] += root;
+        }
+    }
+    for (dof, weight) in weights.iter_mut().enumerate() {
+        *weight = match space.vanishes_on_boundary(dof) {
+            true => weight.powf(-0.5),
+            false => 0.0,
+        };
+    }
+    Ok(Box::new(Weighted(space, weights)))
+}
+
+/// A setting hands the metric on in reference coordinates: that of a metric which is constant is JᵀgJ on each cell.
+#[test]
+fn a_norm_of_ones_own_that_depends_on_the_metric() {
+    let mesh = perturbed::<2>(2, 1);
+    let kind = Kind {
+        name: "weighted",
+        symbol: "w",
+        about: "for this test",
+        degree: |_| 1,
+        memory: |census, _| 8.0 * census.simplices[0] as f64,
+        new: weighted,
+    };
+    let setting = Setting::new(&mesh, (kind.degree)(3));
+    let plain = (kind.new)(&setting).unwrap();
+    let load = random_load(plain.space().len(), 2);
+    let first = (0..mesh.count(0))
+        .find(|&v| mesh.is_interior(0, v))
+        .unwrap();
+    let mut one = vec![0.0; load.len()];
+    one[first] = 3.0;
+    let star = mesh.star(0, first);
+    let cells = star.len() as f64;
+    assert!((plain.of(&one, None).unwrap().total - 3.0 / cells.sqrt()).abs() < 1e-14);
+    let areas: f64 = star.map(|s| mesh.jacobian(s.cell).unwrap().volume()).sum();
+    let space = ReggeSpace::new(&mesh, 0);
+    let euclidean = Smooth::new(&mesh, Metric::Flat).unwrap();
+    let g = Interpolant::Canonical { order: 4 }
+        .apply(&space, &euclidean)
+        .unwrap();
+    let values = metric_values(&g);
+    let curved = (kind.new)(&setting.with_metric(&values)).unwrap();
+    let expected = 3.0 / areas.sqrt();
+    assert!((curved.of(&one, None).unwrap().total / expected - 1.0).abs() < 1e-12);
+    assert!(curved.of(&load[1..], None).is_err());
 }

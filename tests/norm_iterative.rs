@@ -2,7 +2,8 @@
 
 use regge_curvature::Error;
 use regge_curvature::mesh::{Mesh, SplitMix64};
-use regge_curvature::norm::{BiharmonicSolver, Direct, HMinus2, Hhj, Iterative};
+use regge_curvature::norm::{BiharmonicSolver, Census, Direct, HMinus2, Hhj, Iterative, Target};
+use std::sync::Arc;
 
 fn perturbed<const N: usize>(level: u32, seed: u64) -> Mesh<N> {
     Mesh::cube(1 << level)
@@ -25,19 +26,19 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 }
 
 fn agrees_with_direct<const N: usize>(mesh: &Mesh<N>, degree: usize) {
-    let hhj = Hhj::new(mesh, degree).unwrap();
+    let hhj = Arc::new(Hhj::new(mesh, degree).unwrap());
     let load = random_load(hhj.space().len(), 7);
-    let direct = Direct::new(&hhj).unwrap();
-    let expected = direct.solve(&hhj, &load, &mut |_| ()).unwrap();
-    let solver = Iterative::new(&hhj).unwrap();
-    let found = solver.solve(&hhj, &load, &mut |_| ()).unwrap();
+    let direct = Direct::new(hhj.clone()).unwrap();
+    let expected = direct.solve(&load, &mut |_| ()).unwrap();
+    let solver = Iterative::new(hhj).unwrap();
+    let found = solver.solve(&load, &mut |_| ()).unwrap();
     // The iteration ends at a residual of 1e-8 in the norm of the energy; single coefficients may be a little worse.
     let error = distance(&found.coefficients, &expected.coefficients);
     assert!(
         error < 1e-7,
         "N = {N}, degree {degree}: differs by {error:e}"
     );
-    let norm = HMinus2::with_solver(hhj, Box::new(direct));
+    let norm = HMinus2::with_solver(Box::new(direct));
     let [found, expected] = [found, expected].map(|u| norm.norm_of(&u, None).unwrap());
     for (a, b, tolerance) in [
         (found.u_l2, expected.u_l2, 1e-8),
@@ -81,7 +82,7 @@ fn steps_hardly_grow() {
         let steps = [2, 3].map(|level| {
             let mesh = perturbed::<3>(level, 3);
             let hhj = Hhj::new(&mesh, degree).unwrap();
-            let norm = HMinus2::with_solver(hhj.clone(), Box::new(Iterative::new(&hhj).unwrap()));
+            let norm = HMinus2::with_solver(Box::new(Iterative::new(hhj).unwrap()));
             let load = random_load(norm.space().len(), 1);
             let (mut steps, mut before) = (0, f64::INFINITY);
             norm.solve_watched(&load, &mut |step| {
@@ -90,7 +91,7 @@ fn steps_hardly_grow() {
                 before = step.residual;
             })
             .unwrap();
-            assert!(before <= 1e-8);
+            assert!(before <= Target::DEFAULT.residual && before <= 1e-8);
             steps
         });
         assert!(
@@ -120,8 +121,8 @@ fn other_meshes_are_refused() {
     assert!(hhj.is_ok());
     let alfeld = Mesh::<3>::alfeld().unwrap();
     let hhj = Hhj::new(&alfeld, 3).unwrap();
-    assert!(matches!(Iterative::new(&hhj), Err(Error::Input(_))));
-    assert!(!Iterative::suits(&hhj));
+    assert!(matches!(Iterative::new(hhj), Err(Error::Input(_))));
+    assert!(!Iterative::suits(&alfeld));
     assert_eq!(HMinus2::new(&alfeld, 3).unwrap().solver(), "cholesky");
     // Not one of these is worth an iteration.
     assert_eq!(
@@ -138,10 +139,9 @@ fn other_meshes_are_refused() {
 #[test]
 fn nothing_to_solve() {
     let mesh = perturbed::<3>(1, 1);
-    let hhj = Hhj::new(&mesh, 2).unwrap();
-    let solver = Iterative::new(&hhj).unwrap();
+    let solver = Iterative::new(Hhj::new(&mesh, 2).unwrap()).unwrap();
     let zero = solver
-        .solve(&hhj, &vec![0.0; hhj.space().len()], &mut |_| ())
+        .solve(&vec![0.0; solver.hhj().space().len()], &mut |_| ())
         .unwrap();
     assert!(zero.coefficients.iter().all(|x| *x == 0.0));
 }
@@ -158,8 +158,8 @@ fn threads_do_not_matter() {
         pool.install(|| {
             let hhj = Hhj::new(&mesh, 4).unwrap();
             let load = random_load(hhj.space().len(), 1);
-            let solver = Iterative::new(&hhj).unwrap();
-            let found = solver.solve(&hhj, &load, &mut |_| ()).unwrap();
+            let solver = Iterative::new(hhj).unwrap();
+            let found = solver.solve(&load, &mut |_| ()).unwrap();
             found.coefficients.iter().map(|x| x.to_bits()).collect()
         })
     };
@@ -167,4 +167,53 @@ fn threads_do_not_matter() {
     for threads in [2, 3, 8] {
         assert!(one == run(threads), "{threads} threads");
     }
+}
+
+/// A target of one's own: the iteration ends as soon as it is met, and gives up when its steps are used up.
+#[test]
+fn targets() {
+    let mesh = perturbed::<3>(2, 3);
+    let hhj = Arc::new(Hhj::new(&mesh, 2).unwrap());
+    let load = random_load(hhj.space().len(), 1);
+    let run = |residual: f64, steps: usize| {
+        let target = Target { residual, steps };
+        let solver = Iterative::with_target(hhj.clone(), target).unwrap();
+        let mut residuals = Vec::new();
+        let result = solver.solve(&load, &mut |step| residuals.push(step.residual));
+        (result, residuals)
+    };
+    let (result, residuals) = run(1e-3, 1000);
+    assert!(result.is_ok());
+    let (last, before) = residuals.split_last().unwrap();
+    assert!(*last <= 1e-3 && before.iter().all(|r| *r > 1e-3));
+    let (result, residuals) = run(1e-3, 2);
+    assert!(matches!(result, Err(Error::Solver(_))));
+    assert_eq!(residuals.len(), 2);
+}
+
+/// What is estimated before there is a mesh is what is estimated with it, for the solver that is then chosen.
+#[test]
+fn memory_is_estimated_from_a_census() {
+    let mesh = perturbed::<3>(2, 1);
+    let census = Census::cube(3, 4);
+    assert_eq!(census, Census::of(&mesh));
+    let need = |census: &Census, degree| HMinus2::<3>::memory(census, degree);
+    // The iteration's vectors, blocks and places, and no factor; it begins between these two degrees.
+    assert_eq!(HMinus2::new(&mesh, 5).unwrap().solver(), "cg");
+    assert_eq!(HMinus2::new(&mesh, 3).unwrap().solver(), "cholesky");
+    let elsewhere = Census {
+        cube: false,
+        ..census.clone()
+    };
+    assert!(need(&census, 5) < need(&elsewhere, 5));
+    assert_eq!(need(&census, 3), need(&elsewhere, 3));
+    // Twice as fine is eight times the cells, and more memory by more than that for a factor only.
+    let fine = Census::cube(3, 8);
+    let growth = need(&fine, 5) / need(&census, 5);
+    assert!(7.0 < growth && growth < 9.0, "{growth}");
+    let far = Census {
+        cube: false,
+        ..fine
+    };
+    assert!(need(&far, 5) / need(&elsewhere, 5) > 10.0);
 }

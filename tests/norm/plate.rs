@@ -2,7 +2,7 @@
 
 use regge_curvature::linalg::{Mat, Vector};
 use regge_curvature::mesh::Mesh;
-use regge_curvature::norm::{Deflection, HMinus2};
+use regge_curvature::norm::{HMinus2, Representative};
 use regge_curvature::quadrature::Rule;
 use regge_curvature::simplex::Bernstein;
 use regge_curvature::spaces::Lagrange;
@@ -73,7 +73,7 @@ pub fn load_of<const N: usize>(space: &Lagrange<N>, f: fn(&Vector<f64, N>) -> f6
 }
 
 /// ‖u_h − u‖/‖u‖ and ‖σ_h − ∇²u‖/‖∇²u‖ in L².
-pub fn errors<const N: usize>(norm: &HMinus2<N>, solution: &Deflection) -> [f64; 2] {
+pub fn errors<const N: usize>(norm: &HMinus2<N>, solution: &Representative) -> [f64; 2] {
     let space = norm.space();
     let mesh = space.mesh();
     let rule = Rule::new(N, 2 * space.degree() + 6);

@@ -1,6 +1,7 @@
 //! The progress bar on standard error.
 
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
+use regge_curvature::norm::Target;
 use regge_study::{Case, Event, Phase, Study};
 use std::time::{Duration, Instant};
 
@@ -26,9 +27,6 @@ fn share(phase: Phase) -> f64 {
         Phase::Norm => 0.97,
     }
 }
-
-/// The residual that ends the solver's iteration, about.
-const LAST_RESIDUAL: f64 = 1e-8;
 
 impl Progress {
     /// For a study.
@@ -58,7 +56,7 @@ impl Progress {
             }
             Event::Step(case, step) => {
                 // The residual falls by about the same factor in every step.
-                let part = (step.residual.ln() / LAST_RESIDUAL.ln()).clamp(0.0, 1.0);
+                let part = (step.residual.ln() / Target::DEFAULT.residual.ln()).clamp(0.0, 1.0);
                 let (from, to) = (share(Phase::Solve), share(Phase::Norm));
                 let what = format!(
                     "solution, step {}, residual {:.1e}",

@@ -1,7 +1,7 @@
 //! Preconditioned conjugate gradients. Sums are made of fixed blocks: no bit depends on the number of threads.
 
-use super::Step;
 use crate::Error;
+use crate::norm::dual::{Step, Target};
 use crate::parallel::for_chunks;
 
 /// How many entries make one piece of work.
@@ -41,15 +41,6 @@ pub(super) fn combine(alpha: f64, y: &mut [f64], beta: f64, x: &[f64]) {
             *y = alpha * *y + beta * x;
         }
     });
-}
-
-/// When to stop.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
-    /// The residual over that of x = 0, both in the norm of the preconditioner.
-    pub residual: f64,
-    /// The most steps.
-    pub steps: usize,
 }
 
 /// x with A x = r for symmetric positive definite A and preconditioner; `watch` is told of each step.

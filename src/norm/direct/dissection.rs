@@ -4,12 +4,10 @@
 //! last, and each half is ordered in the same way. The plane is the one in the middle part of the cells, over all
 //! axes, that cuts through the fewest unknowns (A. George, SIAM J. Numer. Anal. 10 (1973), who did it on a grid).
 
-use crate::linalg::Vector;
-
 /// What is to be ordered: nodes with weights, each shared by some cells.
-pub(super) struct Graph<'a, const N: usize> {
-    /// A point of each cell.
-    pub centres: &'a [Vector<f64, N>],
+pub(super) struct Graph<'a> {
+    /// A point of each cell, in a space of any dimension: `[axis][cell]`.
+    pub centres: &'a [Vec<f64>],
     /// Compressed rows: the cells of node n are `cells[offsets[n]..offsets[n + 1]]`.
     pub offsets: &'a [usize],
     /// The cells of the nodes.
@@ -22,8 +20,8 @@ pub(super) struct Graph<'a, const N: usize> {
 const MARGIN: f64 = 0.4;
 
 /// The nodes in order of elimination. Depends on nothing but the graph.
-pub(super) fn dissect<const N: usize>(graph: &Graph<'_, N>) -> Vec<u32> {
-    let cells: Vec<u32> = (0..graph.centres.len() as u32).collect();
+pub(super) fn dissect(graph: &Graph<'_>) -> Vec<u32> {
+    let cells: Vec<u32> = (0..graph.centres[0].len() as u32).collect();
     let nodes: Vec<u32> = (0..graph.weights.len() as u32).collect();
     let mut order = Vec::with_capacity(nodes.len());
     let mut ranks = vec![0; cells.len()];
@@ -38,13 +36,13 @@ struct Cut {
     weight: usize,
 }
 
-impl<const N: usize> Graph<'_, N> {
+impl Graph<'_> {
     /// Appends the order of `nodes`, all of whose cells are among `cells`.
     fn part(&self, cells: Vec<u32>, nodes: Vec<u32>, ranks: &mut [u32], order: &mut Vec<u32>) {
         let cut = match cells.len() {
             0 | 1 => None,
             _ if nodes.is_empty() => None,
-            _ => (0..N)
+            _ => (0..self.centres.len())
                 .map(|axis| self.cut(axis, cells.clone(), &nodes, ranks))
                 .min_by_key(|c| c.weight),
         };
@@ -78,7 +76,7 @@ impl<const N: usize> Graph<'_, N> {
 
     /// The best cut across an axis: the lightest one, and of these the one nearest to the middle.
     fn cut(&self, axis: usize, mut cells: Vec<u32>, nodes: &[u32], ranks: &mut [u32]) -> Cut {
-        let place = |c: u32| self.centres[c as usize][axis];
+        let place = |c: u32| self.centres[axis][c as usize];
         cells.sort_unstable_by(|&a, &b| place(a).total_cmp(&place(b)).then(a.cmp(&b)));
         rank(&cells, ranks);
         // A node is cut by all planes between its first and its last cell.
@@ -89,18 +87,16 @@ impl<const N: usize> Graph<'_, N> {
             end[last] += self.weights[node as usize];
         }
         let margin = ((cells.len() as f64 * MARGIN) as usize).max(1);
-        let (mut best, mut weight) = ((usize::MAX, usize::MAX, 0), 0);
+        let (mut best, mut weight) = (None, 0);
         for at in 1..cells.len() {
             weight = weight + begin[at - 1] - end[at - 1];
             if (margin..=cells.len() - margin).contains(&at) {
-                best = best.min((weight, (2 * at).abs_diff(cells.len()), at));
+                let cut = (weight, (2 * at).abs_diff(cells.len()), at);
+                best = Some(best.map_or(cut, |best| cut.min(best)));
             }
         }
-        Cut {
-            cells,
-            at: best.2,
-            weight: best.0,
-        }
+        let (weight, _, at) = best.expect("two cells or more have a middle");
+        Cut { cells, at, weight }
     }
 
     /// The ranks of the first and the last of a node's cells.

@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The reference element.
 #[derive(Clone, Debug)]
-pub(super) struct Element<const N: usize> {
+pub(in crate::norm) struct Element<const N: usize> {
     /// p, the degree of u.
     pub degree: usize,
     /// The numbering of the columns of `pairing`.
@@ -73,7 +73,7 @@ impl<const N: usize> Element<N> {
 
 /// The L²-orthonormal basis of P_q on the reference simplex that Gram–Schmidt makes of Bernstein's.
 #[derive(Clone, Debug)]
-pub(super) struct Moments {
+pub(in crate::norm) struct Moments {
     bernstein: Bernstein,
     /// φ_k = Σ_β `rows[(k, β)]` B_β, lower triangular.
     rows: DMatrix<f64>,
@@ -197,7 +197,7 @@ fn pair_with_slopes<const N: usize>(
 }
 
 /// ν = −dλ_f: the outward covector of the face opposite to vertex f.
-pub(super) fn conormal<const N: usize>(f: usize) -> [f64; N] {
+pub(in crate::norm) fn conormal<const N: usize>(f: usize) -> [f64; N] {
     std::array::from_fn(|i| match f {
         0 => 1.0,
         _ if i == f - 1 => -1.0,
@@ -206,7 +206,7 @@ pub(super) fn conormal<const N: usize>(f: usize) -> [f64; N] {
 }
 
 /// m_f: from vertex f to the barycentre of the opposite face; ν_f(m_f) = 1.
-pub(super) fn transversal<const N: usize>(f: usize) -> [f64; N] {
+pub(in crate::norm) fn transversal<const N: usize>(f: usize) -> [f64; N] {
     std::array::from_fn(|i| if i + 1 == f { -1.0 } else { 1.0 / N as f64 })
 }
 

@@ -1,7 +1,7 @@
 //! Some cells side by side: every number of a cell is a lane of a row, and rows are what loops and products run over.
 
-use super::cell::Shape;
-use super::element::Element;
+use crate::norm::hhj::cell::Shape;
+use crate::norm::hhj::element::Element;
 use nalgebra::DMatrix;
 
 /// How many cells are worked on side by side: their rows fit into the second cache.

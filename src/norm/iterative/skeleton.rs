@@ -3,10 +3,8 @@
 //! All k-simplices have blocks of one width, in their mesh's order: first the vertices' blocks, then the edges', and
 //! so on. Entries of simplices in ∂Ω are there too, and zero.
 
-use super::hhj::Hhj;
-use super::layout::slopes;
-use crate::mesh::Numbering;
-use crate::simplex::binomial;
+use crate::mesh::{Mesh, Numbering};
+use crate::norm::hhj::layout::{own, slopes};
 
 /// Where the unknowns are.
 #[derive(Clone, Debug)]
@@ -17,14 +15,14 @@ pub(super) struct Skeleton {
     pub offsets: Vec<usize>,
     /// How many unknowns of a k-simplex are of u; the others are of û.
     own: Vec<usize>,
-    /// Where u is in a [`super::Deflection`], and where û begins.
+    /// Where u is in a solution, and where û begins.
     numbering: Numbering,
 }
 
 impl Skeleton {
-    pub fn new<const N: usize>(hhj: &Hhj<N>) -> Self {
-        let (mesh, p) = (hhj.mesh(), hhj.space().degree());
-        let own: Vec<usize> = (0..=N).map(|k| binomial(p - 1, k)).collect();
+    /// For u of degree p.
+    pub fn new<const N: usize>(mesh: &Mesh<N>, p: usize) -> Self {
+        let own: Vec<usize> = (0..=N).map(|k| own(k, p)).collect();
         let numbering = Numbering::new(mesh, own.clone());
         let (mut widths, mut offsets) = (Vec::new(), vec![0]);
         for k in 0..N {
@@ -60,7 +58,7 @@ impl Skeleton {
         &mut x[self.offsets[k]..self.offsets[k + 1]]
     }
 
-    /// Where in a [`super::Deflection`] entry i of a k-simplex is.
+    /// Where in a solution entry i of a k-simplex is.
     #[inline]
     fn place(&self, k: usize, simplex: usize, i: usize) -> usize {
         match i.checked_sub(self.own[k]) {
@@ -69,7 +67,7 @@ impl Skeleton {
         }
     }
 
-    /// Where in a [`super::Deflection`] the bubbles of a cell are.
+    /// Where in a solution the bubbles of a cell are.
     pub fn bubbles(&self, cell: usize) -> std::ops::Range<usize> {
         let k = self.widths.len();
         let first = self.numbering.global(k, cell, 0);
@@ -77,10 +75,10 @@ impl Skeleton {
     }
 
     /// The load of the unknowns: û has none.
-    pub fn gather<const N: usize>(&self, hhj: &Hhj<N>, load: &[f64]) -> Vec<f64> {
+    pub fn gather<const N: usize>(&self, mesh: &Mesh<N>, load: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; self.len()];
         for k in 0..N {
-            for simplex in hhj.mesh().interior(k) {
+            for simplex in mesh.interior(k) {
                 for i in 0..self.own[k] {
                     x[self.first(k, simplex) + i] = load[self.place(k, simplex, i)];
                 }
@@ -89,10 +87,10 @@ impl Skeleton {
         x
     }
 
-    /// Writes the unknowns to where a [`super::Deflection`] has them.
-    pub fn scatter<const N: usize>(&self, hhj: &Hhj<N>, x: &[f64], coefficients: &mut [f64]) {
+    /// Writes the unknowns to where a solution has them.
+    pub fn scatter<const N: usize>(&self, mesh: &Mesh<N>, x: &[f64], coefficients: &mut [f64]) {
         for k in 0..N {
-            for simplex in hhj.mesh().interior(k) {
+            for simplex in mesh.interior(k) {
                 for i in 0..self.widths[k] {
                     coefficients[self.place(k, simplex, i)] = x[self.first(k, simplex) + i];
                 }

@@ -1,9 +1,10 @@
 //! The global unknowns that are left: u and û on the interior simplices of dimension < N, in order of elimination.
 
 use super::dissection::{Graph, dissect};
-use super::layout::Layout;
 use crate::linalg::Vector;
 use crate::mesh::Mesh;
+use crate::norm::hhj::layout::{Block, Layout};
+use crate::sparse::CellBlock;
 
 /// No unknown: the simplex lies in ∂Ω, where u = 0 and û = 0.
 const CLAMPED: u32 = u32::MAX;
@@ -27,11 +28,9 @@ impl Unknowns {
         let (mut simplices, mut weights) = (Vec::new(), Vec::new());
         let (mut offsets, mut cells) = (vec![0], Vec::new());
         for k in 0..N {
-            let width = layout
-                .blocks
-                .iter()
-                .find(|b| b.k == k)
-                .map_or(0, |b| b.width);
+            let mut blocks = layout.blocks.iter();
+            let of_k = blocks.find(|b| b.k == k);
+            let width = of_k.expect("every subsimplex has a block").width;
             for simplex in mesh.interior(k).filter(|_| width > 0) {
                 simplices.push((k, simplex));
                 weights.push(width);
@@ -40,7 +39,7 @@ impl Unknowns {
             }
         }
         let graph = Graph {
-            centres,
+            centres: &by_axis(centres),
             offsets: &offsets,
             cells: &cells,
             weights: &weights,
@@ -64,37 +63,35 @@ impl Unknowns {
         self.offsets[self.offsets.len() - 1]
     }
 
-    /// How many blocks.
-    pub fn blocks(&self) -> usize {
-        self.offsets.len() - 1
-    }
-
-    /// The blocks of a cell that are not clamped, each with its place in `layout.blocks`.
+    /// The blocks of a cell that are not clamped.
     pub fn of_cell<const N: usize>(
         &self,
         mesh: &Mesh<N>,
         layout: &Layout,
         cell: usize,
-    ) -> impl Iterator<Item = (usize, usize)> {
-        layout.blocks.iter().enumerate().filter_map(move |(i, b)| {
+    ) -> Vec<CellBlock> {
+        let numbered = |b: &Block| {
             let block = self.blocks[b.k][mesh.simplices_of(cell, b.k)[b.place] as usize];
-            (block != CLAMPED).then_some((block as usize, i))
-        })
+            (block != CLAMPED).then_some(CellBlock {
+                block: block as usize,
+                start: b.start,
+            })
+        };
+        layout.blocks.iter().filter_map(numbered).collect()
     }
 
     /// Writes down for a cell's blocks which of all the cell's unknowns, `cell_unknowns`, each number stands for.
-    pub fn locate(
-        &self,
-        layout: &Layout,
-        blocks: &[(usize, usize)],
-        cell_unknowns: &[usize],
-        places: &mut [usize],
-    ) {
-        for &(block, i) in blocks {
-            let local = layout.blocks[i];
-            for r in 0..local.width {
-                places[self.offsets[block] + r] = cell_unknowns[local.start + r];
+    pub fn locate(&self, blocks: &[CellBlock], cell_unknowns: &[usize], places: &mut [usize]) {
+        for &CellBlock { block, start } in blocks {
+            for (r, number) in (self.offsets[block]..self.offsets[block + 1]).enumerate() {
+                places[number] = cell_unknowns[start + r];
             }
         }
     }
+}
+
+/// The coordinates of points: `[axis][point]`.
+fn by_axis<const N: usize>(points: &[Vector<f64, N>]) -> Vec<Vec<f64>> {
+    let along = |axis| points.iter().map(|x| x[axis]).collect();
+    (0..N).map(along).collect()
 }

@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The shape of one cell.
 #[derive(Clone, Debug)]
-pub(super) struct Shape<const N: usize> {
+pub(in crate::norm) struct Shape<const N: usize> {
     /// The barycentre.
     pub centre: Vector<f64, N>,
     /// ∂x/∂ξ.
@@ -33,7 +33,7 @@ pub(super) struct Shape<const N: usize> {
 
 /// How the unknowns u, û of a face make ŵ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FaceShape<const N: usize> {
+pub(in crate::norm) struct FaceShape<const N: usize> {
     /// ±h_f: û is the derivative along the normal that leaves the first of the face's cells.
     pub height: f64,
     /// Barycentric components of N_f − m_f at the vertices of the face, ascending.
@@ -51,10 +51,7 @@ impl<const N: usize> Shape<N> {
             .into_iter()
             .enumerate()
             .map(|(place, face)| {
-                let first = mesh
-                    .star(N - 1, ids[place] as usize)
-                    .next()
-                    .is_some_and(|side| side.cell == cell);
+                let first = mesh.first_side(N - 1, ids[place] as usize).cell == cell;
                 face_shape(&inverse, N - place, &face, if first { 1.0 } else { -1.0 })
             });
         Some(Self {
@@ -162,7 +159,7 @@ fn combine_columns<const N: usize>(
 
 /// A after `bubbles` steps of Cholesky's elimination: their columns hold L, the lower triangle of the rest the Schur
 /// complement. The bubbles' block is positive definite: a bubble is not affine.
-pub(super) fn eliminate(a: &mut DMatrix<f64>, bubbles: usize) {
+pub(in crate::norm) fn eliminate(a: &mut DMatrix<f64>, bubbles: usize) {
     let n = a.nrows();
     for j in 0..bubbles {
         let pivot = a[(j, j)].sqrt();

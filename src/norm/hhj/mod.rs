@@ -1,14 +1,22 @@
 //! The discrete biharmonic problem: its unknowns, cell operators and moment tensors.
 
-use super::cell::Shape;
-use super::element::Element;
-use super::layout::{Layout, slopes};
+pub(super) mod cell;
+pub(super) mod element;
+pub(super) mod layout;
+mod size;
+
+pub(super) use size::Size;
+
+use super::dual::Representative;
 use crate::Error;
 use crate::linalg::{Mat, Vector};
 use crate::mesh::Mesh;
 use crate::quadrature::Rule;
 use crate::simplex::{Bernstein, Points};
 use crate::spaces::Lagrange;
+use cell::Shape;
+use element::Element;
+use layout::{Layout, slopes};
 use nalgebra::DMatrix;
 
 /// The hybridised Hellan–Herrmann–Johnson discretisation of Δ²u = f, u ∈ H²₀, on a mesh in ℝ^N.
@@ -17,18 +25,14 @@ use nalgebra::DMatrix;
 /// ∂u/∂n for the normal that leaves the first (lowest) of its two cells, in the face's Bernstein basis. The moments
 /// σ ∈ P_{p−1} are eliminated cell by cell, σ(u, û); û makes their normal-normal components continuous. The problem is
 /// Σ_T |σ(u, û)|²_{L²(T)}/2 − f(u) → min.
+///
+/// A solution is a [`Representative`]: the coefficients of u in the Lagrange space, then face by face those of û; zero
+/// where clamped.
 #[derive(Clone, Debug)]
 pub struct Hhj<const N: usize> {
     space: Lagrange<N>,
     element: Element<N>,
     shapes: Vec<Shape<N>>,
-}
-
-/// A discrete solution (u, û) of a [`Hhj`] problem.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Deflection {
-    /// The coefficients of u in the Lagrange space, then face by face those of û; zero where clamped.
-    pub coefficients: Vec<f64>,
 }
 
 impl<const N: usize> Hhj<N> {
@@ -69,17 +73,17 @@ impl<const N: usize> Hhj<N> {
         &self.space
     }
 
-    /// How many coefficients a [`Deflection`] has.
+    /// How many coefficients a solution has.
     pub fn len(&self) -> usize {
         self.space.len() + self.mesh().count(N - 1) * slopes(N, self.space.degree())
     }
 
-    /// Never.
+    /// Whether there are none, which no mesh is small enough for.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Where in a [`Deflection`] the unknowns of a cell are, in the order of [`Hhj::energy`].
+    /// Where in a solution the unknowns of a cell are, in the order of [`Hhj::energy`].
     pub fn cell_unknowns(&self, cell: usize) -> Vec<usize> {
         let layout = self.layout();
         let mut unknowns = vec![0; layout.len];
@@ -108,30 +112,30 @@ impl<const N: usize> Hhj<N> {
     /// σ at points of a cell, Cartesian components; symmetric.
     pub fn moment(
         &self,
-        deflection: &Deflection,
+        solution: &Representative,
         cell: usize,
         points: &Points,
     ) -> Vec<Mat<f64, N>> {
         let phi = self.element.moments.tabulate(points);
-        let s = self.tensor(deflection, cell);
+        let s = self.tensor(solution, cell);
         phi.iter()
             .map(|phi| self.cartesian(cell, &s, phi))
             .collect()
     }
 
     /// |u|², |∇u|² and |σ|² integrated over a cell by a rule that comes with its table.
-    pub(super) fn squares(
+    pub(in crate::norm) fn squares(
         &self,
-        deflection: &Deflection,
+        solution: &Representative,
         cell: usize,
         table: &Table<N>,
     ) -> [f64; 3] {
         let shape = &self.shapes[cell];
-        let s = self.tensor(deflection, cell);
+        let s = self.tensor(solution, cell);
         let u: Vec<f64> = self
             .space
             .cell_dofs(cell)
-            .map(|dof| deflection.coefficients[dof])
+            .map(|dof| solution.coefficients[dof])
             .collect();
         let mut squares = [0.0; 3];
         for (q, weight) in table.weights.iter().enumerate() {
@@ -151,7 +155,7 @@ impl<const N: usize> Hhj<N> {
     }
 
     /// The basis functions at the points of a rule.
-    pub(super) fn table(&self, rule: &Rule) -> Table<N> {
+    pub(in crate::norm) fn table(&self, rule: &Rule) -> Table<N> {
         let jets =
             Bernstein::new(N + 1, self.space.degree()).tabulate_jets::<f64, N>(rule.points());
         Table {
@@ -165,31 +169,31 @@ impl<const N: usize> Hhj<N> {
     }
 
     /// The numbering in a cell.
-    pub(super) fn layout(&self) -> &Layout {
+    pub(in crate::norm) fn layout(&self) -> &Layout {
         &self.element.layout
     }
 
     /// The reference element.
-    pub(super) fn element(&self) -> &Element<N> {
+    pub(in crate::norm) fn element(&self) -> &Element<N> {
         &self.element
     }
 
     /// The shapes of the cells.
-    pub(super) fn shapes(&self) -> &[Shape<N>] {
+    pub(in crate::norm) fn shapes(&self) -> &[Shape<N>] {
         &self.shapes
     }
 
     /// The barycentres of the cells.
-    pub(super) fn centres(&self) -> Vec<Vector<f64, N>> {
+    pub(in crate::norm) fn centres(&self) -> Vec<Vector<f64, N>> {
         self.shapes.iter().map(|s| s.centre).collect()
     }
 
     /// The coefficients of σ in a cell: reference component a along φ_k in `[(k, a)]`.
-    fn tensor(&self, deflection: &Deflection, cell: usize) -> DMatrix<f64> {
+    fn tensor(&self, solution: &Representative, cell: usize) -> DMatrix<f64> {
         let local: Vec<f64> = self
             .cell_unknowns(cell)
             .into_iter()
-            .map(|i| deflection.coefficients[i])
+            .map(|i| solution.coefficients[i])
             .collect();
         self.shapes[cell].tensor(&self.element, &local)
     }
@@ -209,10 +213,35 @@ impl<const N: usize> Hhj<N> {
 
 /// The bases at the points of a rule.
 #[derive(Clone, Debug)]
-pub(super) struct Table<const N: usize> {
+pub(in crate::norm) struct Table<const N: usize> {
     weights: Vec<f64>,
     /// `[point][α]`: B_α and its derivatives in reference coordinates.
     u: Vec<Vec<(f64, Vector<f64, N>)>>,
     /// `[point][k]`.
     phi: Vec<Vec<f64>>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+
+    /// The counts are those of the problem itself, bubbles or not.
+    #[test]
+    fn of_a_problem() {
+        fn check<const N: usize>(mesh: &Mesh<N>, degree: usize) {
+            let counts: Vec<usize> = (0..=N).map(|k| mesh.count(k)).collect();
+            let (size, hhj) = (Size::new(&counts, degree), Hhj::new(mesh, degree).unwrap());
+            let layout = hhj.layout();
+            assert_eq!(size.coefficients(), hhj.len());
+            assert_eq!(size.functions(), hhj.space().len());
+            assert_eq!(size.outer(), layout.len - layout.bubbles);
+            let bubbles = layout.bubbles * mesh.cell_count();
+            assert_eq!(size.unknowns(), hhj.len() - bubbles);
+        }
+        for degree in 1..=5 {
+            check(&Mesh::<2>::cube(3).unwrap(), degree);
+            check(&Mesh::<3>::cube(2).unwrap(), degree);
+        }
+    }
 }

@@ -5,7 +5,6 @@
 
 use super::cg::{axpy, combine, dot, scale};
 use super::coarse::Coarse;
-use super::hhj::Hhj;
 use super::jacobi::BlockJacobi;
 use super::operator::Operator;
 use crate::mesh::SplitMix64;
@@ -22,6 +21,7 @@ const MARGIN: f64 = 1.1;
 /// What the cycle is made of.
 #[derive(Debug)]
 pub(super) struct Cycle<const N: usize> {
+    pub operator: Operator<N>,
     jacobi: BlockJacobi,
     coarse: Coarse<N>,
     /// The largest eigenvalue of J A.
@@ -37,22 +37,23 @@ pub(super) struct Room {
 }
 
 impl<const N: usize> Cycle<N> {
-    pub fn new(hhj: &Hhj<N>, operator: &Operator, jacobi: BlockJacobi, coarse: Coarse<N>) -> Self {
+    pub fn new(operator: Operator<N>, jacobi: BlockJacobi, coarse: Coarse<N>) -> Self {
         let mut cycle = Self {
+            operator,
             jacobi,
             coarse,
             largest: 1.0,
         };
         let mut random = SplitMix64::new(1);
-        let skeleton = &operator.skeleton;
-        let mut r: Vec<f64> = (0..skeleton.len()).map(|_| random.symmetric()).collect();
+        let len = cycle.operator.skeleton.len();
+        let mut r: Vec<f64> = (0..len).map(|_| random.symmetric()).collect();
         let mut z = vec![0.0; r.len()];
-        let mut room = vec![0.0; operator.room(hhj)];
+        let mut room = vec![0.0; cycle.operator.room()];
         for _ in 0..POWER_STEPS {
             // z = J r has the square rᵀ J r in the norm of J⁻¹; the next r is A z.
-            cycle.jacobi.apply(skeleton, &r, &mut z);
+            cycle.jacobi.apply(&r, &mut z);
             let square = dot(&r, &z);
-            operator.apply(hhj, &z, &mut r, &mut room);
+            cycle.operator.apply(&z, &mut r, &mut room);
             cycle.largest = dot(&r, &z) / square;
             let factor = 1.0 / square.sqrt();
             scale(&mut r, factor);
@@ -62,43 +63,23 @@ impl<const N: usize> Cycle<N> {
     }
 
     /// z = M⁻¹ r.
-    pub fn apply(
-        &self,
-        hhj: &Hhj<N>,
-        operator: &Operator,
-        r: &[f64],
-        z: &mut [f64],
-        room: &mut Room,
-    ) {
+    pub fn apply(&self, r: &[f64], z: &mut [f64], room: &mut Room) {
         z.fill(0.0);
         room.residual.copy_from_slice(r);
-        self.smooth(hhj, operator, z, room, true);
+        self.smooth(z, room, true);
         room.correction.fill(0.0);
-        self.coarse.add(
-            hhj,
-            &operator.skeleton,
-            &room.residual,
-            &mut room.correction,
-        );
+        self.coarse.add(&room.residual, &mut room.correction);
         axpy(z, 1.0, &room.correction);
-        room.subtract_image(hhj, operator);
-        self.smooth(hhj, operator, z, room, false);
+        room.subtract_image(&self.operator);
+        self.smooth(z, room, false);
     }
 
     /// Smoothes z; the residual follows if it is still wanted.
-    fn smooth(
-        &self,
-        hhj: &Hhj<N>,
-        operator: &Operator,
-        z: &mut [f64],
-        room: &mut Room,
-        follow: bool,
-    ) {
+    fn smooth(&self, z: &mut [f64], room: &mut Room, follow: bool) {
         let (a, b) = (self.largest / RATIO, self.largest);
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
         let mut rho = half / middle;
-        self.jacobi
-            .apply(&operator.skeleton, &room.residual, &mut room.correction);
+        self.jacobi.apply(&room.residual, &mut room.correction);
         scale(&mut room.correction, 1.0 / middle);
         for step in 1..=DEGREE {
             axpy(z, 1.0, &room.correction);
@@ -106,13 +87,12 @@ impl<const N: usize> Cycle<N> {
             if last && !follow {
                 return;
             }
-            room.subtract_image(hhj, operator);
+            room.subtract_image(&self.operator);
             if last {
                 return;
             }
             let next = 1.0 / (2.0 * middle / half - rho);
-            self.jacobi
-                .apply(&operator.skeleton, &room.residual, &mut room.image);
+            self.jacobi.apply(&room.residual, &mut room.image);
             combine(
                 next * rho,
                 &mut room.correction,
@@ -125,13 +105,13 @@ impl<const N: usize> Cycle<N> {
 }
 
 impl Room {
-    pub fn new<const N: usize>(hhj: &Hhj<N>, operator: &Operator) -> Self {
+    pub fn new<const N: usize>(operator: &Operator<N>) -> Self {
         let zero = vec![0.0; operator.skeleton.len()];
         Self {
             residual: zero.clone(),
             correction: zero.clone(),
             image: zero,
-            operator: vec![0.0; operator.room(hhj)],
+            operator: vec![0.0; operator.room()],
         }
     }
 
@@ -141,8 +121,8 @@ impl Room {
     }
 
     /// residual −= A correction.
-    fn subtract_image<const N: usize>(&mut self, hhj: &Hhj<N>, operator: &Operator) {
-        operator.apply(hhj, &self.correction, &mut self.image, &mut self.operator);
+    fn subtract_image<const N: usize>(&mut self, operator: &Operator<N>) {
+        operator.apply(&self.correction, &mut self.image, &mut self.operator);
         axpy(&mut self.residual, -1.0, &self.image);
     }
 }
@@ -151,12 +131,15 @@ impl Room {
 mod tests {
     use super::*;
     use crate::mesh::Mesh;
-    use crate::norm::cell::eliminate;
+    use crate::norm::hhj::Hhj;
+    use crate::norm::hhj::cell::eliminate;
+    use crate::norm::iterative::skeleton::Skeleton;
+    use std::sync::Arc;
 
-    fn random(len: usize, seed: u64, hhj: &Hhj<3>, operator: &Operator) -> Vec<f64> {
+    fn random(len: usize, seed: u64, operator: &Operator<3>) -> Vec<f64> {
         let mut random = SplitMix64::new(seed);
         let mut x: Vec<f64> = (0..len).map(|_| random.symmetric()).collect();
-        let skeleton = &operator.skeleton;
+        let (hhj, skeleton) = (&operator.hhj, &operator.skeleton);
         for k in 0..3 {
             for simplex in (0..hhj.mesh().count(k)).filter(|&s| !hhj.mesh().is_interior(k, s)) {
                 let first = skeleton.first(k, simplex);
@@ -167,8 +150,9 @@ mod tests {
     }
 
     /// S by the cells' matrices, which the direct solver assembles.
-    fn by_matrices(hhj: &Hhj<3>, operator: &Operator, x: &[f64]) -> Vec<f64> {
-        let (skeleton, layout) = (&operator.skeleton, hhj.layout());
+    fn by_matrices(operator: &Operator<3>, x: &[f64]) -> Vec<f64> {
+        let (hhj, skeleton) = (&operator.hhj, &operator.skeleton);
+        let layout = hhj.layout();
         let mut y = vec![0.0; x.len()];
         for cell in 0..hhj.mesh().cell_count() {
             let mut energy = hhj.energy(cell);
@@ -200,17 +184,18 @@ mod tests {
     fn symmetric_positive_definite() {
         let mesh = Mesh::<3>::cube(3).unwrap().perturbed(0.08, 5).unwrap();
         for degree in 2..=5 {
-            let hhj = Hhj::new(&mesh, degree).unwrap();
-            let operator = Operator::new(&hhj);
-            let jacobi = BlockJacobi::new(&hhj, &operator.skeleton).unwrap();
-            let coarse = Coarse::new(&hhj, &operator.skeleton).unwrap();
-            let cycle = Cycle::new(&hhj, &operator, jacobi, coarse);
-            let mut room = Room::new(&hhj, &operator);
+            let hhj = Arc::new(Hhj::new(&mesh, degree).unwrap());
+            let skeleton = Arc::new(Skeleton::new(&mesh, degree));
+            let jacobi = BlockJacobi::new(&hhj, &skeleton).unwrap();
+            let coarse = Coarse::new(&hhj, &skeleton).unwrap();
+            let cycle = Cycle::new(Operator::new(&hhj, &skeleton), jacobi, coarse);
+            let operator = &cycle.operator;
+            let mut room = Room::new(operator);
             let len = operator.skeleton.len();
-            let vectors: Vec<_> = (0..4).map(|i| random(len, i, &hhj, &operator)).collect();
+            let vectors: Vec<_> = (0..4).map(|i| random(len, i, operator)).collect();
             let mut image = vec![0.0; len];
-            operator.apply(&hhj, &vectors[0], &mut image, room.operator());
-            let expected = by_matrices(&hhj, &operator, &vectors[0]);
+            operator.apply(&vectors[0], &mut image, room.operator());
+            let expected = by_matrices(operator, &vectors[0]);
             let size = dot(&expected, &expected).sqrt();
             axpy(&mut image, -1.0, &expected);
             assert!(dot(&image, &image).sqrt() < 1e-13 * size, "degree {degree}");
@@ -218,7 +203,7 @@ mod tests {
                 .iter()
                 .map(|r| {
                     let mut z = vec![0.0; len];
-                    cycle.apply(&hhj, &operator, r, &mut z, &mut room);
+                    cycle.apply(r, &mut z, &mut room);
                     z
                 })
                 .collect();

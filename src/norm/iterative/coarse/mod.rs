@@ -5,21 +5,26 @@
 //! modes are eigenfunctions, with eigenvalues Σ λ_i + 2 Σ_{i<j} κ_i κ_j: what the modes' first derivatives couple beyond
 //! that is left out.
 
-use super::factor::in_parallel;
-use super::hhj::Hhj;
-use super::lattice::Lattice;
+pub(super) mod lattice;
+mod spline;
+mod stencil;
+mod transfer;
+
+use super::cg::dot;
 use super::skeleton::Skeleton;
-use super::spline::Modes;
-use super::transfer::Transfer;
 use crate::Error;
 use crate::linalg::Vector;
+use crate::norm::hhj::Hhj;
 use crate::parallel::for_chunks;
+use crate::sparse::in_parallel;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef};
+use lattice::Lattice;
 use nalgebra::DMatrix;
-
-/// The precision of the correction: a preconditioner needs no more.
-pub(super) type Short = f32;
+use spline::Modes;
+use std::sync::Arc;
+use stencil::Short;
+use transfer::Transfer;
 
 /// How much the correction counts. Measured: with twice as much the iteration takes a fifth longer.
 const WEIGHT: f64 = 0.4;
@@ -41,7 +46,7 @@ pub(super) struct Coarse<const N: usize> {
 impl<const N: usize> Coarse<N> {
     /// # Errors
     /// If the mesh is no lattice, and as [`Modes::new`].
-    pub fn new(hhj: &Hhj<N>, skeleton: &Skeleton) -> Result<Self, Error> {
+    pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>) -> Result<Self, Error> {
         let lattice = Lattice::of(hhj.mesh())
             .ok_or_else(|| Error::Input("the mesh is not that of a cube".into()))?;
         let p = hhj.space().degree();
@@ -65,15 +70,15 @@ impl<const N: usize> Coarse<N> {
     }
 
     /// z += P C⁻¹ Pᵀ r, weighted.
-    pub fn add(&self, hhj: &Hhj<N>, skeleton: &Skeleton, r: &[f64], z: &mut [f64]) {
+    pub fn add(&self, r: &[f64], z: &mut [f64]) {
         // Single precision has a narrow range: residuals are brought to size one and back.
-        let size = super::cg::dot(r, r).sqrt();
+        let size = dot(r, r).sqrt();
         if size == 0.0 {
             return;
         }
-        let mut spline = self.transfer.restrict(hhj, skeleton, r, 1.0 / size);
+        let mut spline = self.transfer.restrict(r, 1.0 / size);
         self.solve(&mut spline);
-        self.transfer.prolong(hhj, skeleton, &spline, size, z);
+        self.transfer.prolong(&spline, size, z);
     }
 
     /// s becomes C⁻¹ s.

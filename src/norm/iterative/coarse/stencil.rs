@@ -1,8 +1,10 @@
 //! The value and gradient of a tensor-product cubic spline at a point, and the transpose.
 
-use super::coarse::Short;
 use super::spline::{slopes, values};
 use crate::linalg::Vector;
+
+/// The precision of the correction: a preconditioner needs no more.
+pub(super) type Short = f32;
 
 /// 4^(N−1) for the largest N.
 const ROWS: usize = 16;

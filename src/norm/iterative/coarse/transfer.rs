@@ -3,16 +3,17 @@
 //! On each simplex u is the polynomial of degree p through the values of s at the nodes of P_p, û the one of degree p−1 that
 //! fits ∂s/∂n there best. Nodes and normals are those of the mesh as it is, moved or not.
 
-use super::coarse::Short;
-use super::element::conormal;
-use super::hhj::Hhj;
 use super::lattice::{Lattice, REACH};
-use super::skeleton::Skeleton;
-use super::stencil::{Grid, Stencil};
+use super::stencil::{Grid, Short, Stencil};
 use crate::linalg::{Vector, apply};
+use crate::mesh::Mesh;
+use crate::norm::hhj::Hhj;
+use crate::norm::hhj::element::conormal;
+use crate::norm::iterative::skeleton::Skeleton;
 use crate::parallel::for_chunks;
 use crate::simplex::{Bernstein, Points, multi_indices};
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
 /// How many simplices make one piece of work.
 const SIMPLICES: usize = 512;
@@ -20,6 +21,8 @@ const SIMPLICES: usize = 512;
 /// The transfer for one mesh and degree, N ≤ 3.
 #[derive(Clone, Debug)]
 pub(super) struct Transfer<const N: usize> {
+    hhj: Arc<Hhj<N>>,
+    skeleton: Arc<Skeleton>,
     lattice: Lattice<N>,
     /// How many spline cells a side of a box.
     refinement: usize,
@@ -48,9 +51,16 @@ struct Frame<const N: usize> {
 }
 
 impl<const N: usize> Transfer<N> {
-    pub fn new(hhj: &Hhj<N>, skeleton: &Skeleton, lattice: Lattice<N>, refinement: usize) -> Self {
+    pub fn new(
+        hhj: &Arc<Hhj<N>>,
+        skeleton: &Arc<Skeleton>,
+        lattice: Lattice<N>,
+        refinement: usize,
+    ) -> Self {
         let p = hhj.space().degree();
         Self {
+            hhj: hhj.clone(),
+            skeleton: skeleton.clone(),
             refinement,
             grid: Grid {
                 side: lattice.side * refinement + 3,
@@ -60,7 +70,9 @@ impl<const N: usize> Transfer<N> {
             functionals: (0..N)
                 .map(|k| Functional::new::<N>(k, p, skeleton))
                 .collect(),
-            layers: (0..N).map(|k| layers(hhj, k, lattice.side)).collect(),
+            layers: (0..N)
+                .map(|k| layers(hhj.mesh(), k, lattice.side))
+                .collect(),
             lattice,
         }
     }
@@ -68,13 +80,7 @@ impl<const N: usize> Transfer<N> {
     /// factor · Pᵀ r.
     ///
     /// Layers of simplices that are far apart touch different coefficients and are taken at the same time.
-    pub fn restrict(
-        &self,
-        hhj: &Hhj<N>,
-        skeleton: &Skeleton,
-        r: &[f64],
-        factor: f64,
-    ) -> Vec<Short> {
+    pub fn restrict(&self, r: &[f64], factor: f64) -> Vec<Short> {
         let plane = self.grid.side.pow(N as u32 - 1);
         let box_planes = self.refinement * plane;
         // A layer of boxes reaches from one box below it to less than this many boxes above that.
@@ -87,7 +93,7 @@ impl<const N: usize> Transfer<N> {
                 let layer = colour + i * apart;
                 if layer < self.lattice.side {
                     let shift = (box_planes, layer * box_planes);
-                    self.restrict_layer(hhj, skeleton, r, factor, layer, chunk, shift);
+                    self.restrict_layer(r, factor, layer, chunk, shift);
                 }
             });
         }
@@ -97,8 +103,6 @@ impl<const N: usize> Transfer<N> {
     /// Coefficient i is at i + shift.0 − shift.1 in the chunk.
     fn restrict_layer(
         &self,
-        hhj: &Hhj<N>,
-        skeleton: &Skeleton,
         r: &[f64],
         factor: f64,
         layer: usize,
@@ -108,10 +112,10 @@ impl<const N: usize> Transfer<N> {
         let mut stencil = Stencil::new(&self.grid);
         for (k, functional) in self.functionals.iter().enumerate() {
             let simplices = self.layers[k][layer]..self.layers[k][layer + 1];
-            for simplex in simplices.filter(|&s| hhj.mesh().is_interior(k, s)) {
-                let first = skeleton.first(k, simplex);
-                let r = &r[first..first + skeleton.widths[k]];
-                let frame = self.frame(hhj, k, simplex);
+            for simplex in simplices.filter(|&s| self.hhj.mesh().is_interior(k, s)) {
+                let first = self.skeleton.first(k, simplex);
+                let r = &r[first..first + self.skeleton.widths[k]];
+                let frame = self.frame(k, simplex);
                 for q in 0..functional.points.len() {
                     let (value, gradient) = functional.transposed(q, r, &frame);
                     stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
@@ -124,44 +128,42 @@ impl<const N: usize> Transfer<N> {
     }
 
     /// z += factor · P s.
-    pub fn prolong(
-        &self,
-        hhj: &Hhj<N>,
-        skeleton: &Skeleton,
-        spline: &[Short],
-        factor: f64,
-        z: &mut [f64],
-    ) {
+    pub fn prolong(&self, spline: &[Short], factor: f64, z: &mut [f64]) {
         for (k, functional) in self.functionals.iter().enumerate() {
-            let width = skeleton.widths[k];
+            let width = self.skeleton.widths[k];
             if width == 0 {
                 continue;
             }
-            for_chunks(skeleton.layer_mut(k, z), SIMPLICES * width, |piece, z| {
-                let mut stencil = Stencil::new(&self.grid);
-                for (i, z) in z.chunks_exact_mut(width).enumerate() {
-                    let simplex = piece * SIMPLICES + i;
-                    if !hhj.mesh().is_interior(k, simplex) {
-                        continue;
+            for_chunks(
+                self.skeleton.layer_mut(k, z),
+                SIMPLICES * width,
+                |piece, z| {
+                    let mut stencil = Stencil::new(&self.grid);
+                    for (i, z) in z.chunks_exact_mut(width).enumerate() {
+                        let simplex = piece * SIMPLICES + i;
+                        if !self.hhj.mesh().is_interior(k, simplex) {
+                            continue;
+                        }
+                        let frame = self.frame(k, simplex);
+                        for q in 0..functional.points.len() {
+                            stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
+                            let (value, gradient) = stencil.evaluate(spline);
+                            let gradient = Vector::from_fn(|i, _| factor * f64::from(gradient[i]));
+                            functional.add(q, factor * f64::from(value), &gradient, &frame, z);
+                        }
                     }
-                    let frame = self.frame(hhj, k, simplex);
-                    for q in 0..functional.points.len() {
-                        stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
-                        let (value, gradient) = stencil.evaluate(spline);
-                        let gradient = Vector::from_fn(|i, _| factor * f64::from(gradient[i]));
-                        functional.add(q, factor * f64::from(value), &gradient, &frame, z);
-                    }
-                }
-            });
+                },
+            );
         }
     }
 
-    fn frame(&self, hhj: &Hhj<N>, k: usize, simplex: usize) -> Frame<N> {
-        let points = hhj.mesh().points().unwrap_or_default();
-        let vertices = hhj.mesh().vertices(k, simplex);
+    fn frame(&self, k: usize, simplex: usize) -> Frame<N> {
+        let mesh = self.hhj.mesh();
+        let points = mesh.points().expect("a lattice has points");
+        let vertices = mesh.vertices(k, simplex);
         let normal = if k + 1 == N {
-            let side = hhj.mesh().first_side(k, simplex);
-            let shape = &hhj.shapes()[side.cell];
+            let side = mesh.first_side(k, simplex);
+            let shape = &self.hhj.shapes()[side.cell];
             let nu = conormal::<N>(N - side.place).into();
             (shape.jacobian * apply(&shape.inverse, &nu)).normalize()
         } else {
@@ -269,14 +271,13 @@ fn dot(x: &[f64], y: &[f64]) -> f64 {
 fn fit(basis: &Bernstein, points: &Points) -> DMatrix<f64> {
     let table = basis.tabulate::<f64>(points);
     let a = DMatrix::from_fn(points.len(), basis.len(), |q, alpha| table[q][alpha]);
-    // On the nodes of P_p polynomials of degree ≤ p are independent.
     let gram = a.tr_mul(&a);
-    gram.lu().solve(&a.transpose()).unwrap_or(a.transpose())
+    let fitted = gram.lu().solve(&a.transpose());
+    fitted.expect("on the nodes of P_p polynomials of degree ≤ p are independent")
 }
 
 /// The first k-simplex of each layer, and the number of all before the one beyond the last.
-fn layers<const N: usize>(hhj: &Hhj<N>, k: usize, side: usize) -> Vec<usize> {
-    let mesh = hhj.mesh();
+fn layers<const N: usize>(mesh: &Mesh<N>, k: usize, side: usize) -> Vec<usize> {
     let plane = (side + 1).pow(N as u32 - 1);
     let mut layers = vec![0; side + 1];
     for simplex in 0..mesh.count(k) {

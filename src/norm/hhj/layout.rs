@@ -10,7 +10,7 @@ use crate::spaces::Lagrange;
 
 /// The unknowns of one subsimplex of a cell.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Block {
+pub(in crate::norm) struct Block {
     /// The dimension of the subsimplex, < N.
     pub k: usize,
     /// Which of the cell's k-simplices.
@@ -23,7 +23,7 @@ pub(super) struct Block {
 
 /// One equation of the change of unknown on a face: which u make the tangential derivative's coefficient β.
 #[derive(Clone, Debug)]
-pub(super) struct FaceMoment {
+pub(in crate::norm) struct FaceMoment {
     /// The local index of û_β, which is that of ŵ_β too.
     pub slope: usize,
     /// For each vertex v of the face, ascending: the local index of the coefficient β + e_v of u.
@@ -32,7 +32,7 @@ pub(super) struct FaceMoment {
 
 /// The numbering inside a cell.
 #[derive(Clone, Debug)]
-pub(super) struct Layout {
+pub(in crate::norm) struct Layout {
     /// How many bubbles of u: indices 0 … bubbles−1.
     pub bubbles: usize,
     /// All other unknowns, by subsimplices.
@@ -48,11 +48,11 @@ pub(super) struct Layout {
 impl Layout {
     pub fn new<const N: usize>(space: &Lagrange<N>) -> Self {
         let p = space.degree();
-        let bubbles = binomial(p - 1, N);
+        let bubbles = own(N, p);
         let mut blocks = Vec::new();
         let mut len = bubbles;
         for k in 0..N {
-            let width = binomial(p - 1, k) + if k == N - 1 { slopes(N, p) } else { 0 };
+            let width = own(k, p) + if k == N - 1 { slopes(N, p) } else { 0 };
             for place in 0..binomial(N + 1, k + 1) {
                 blocks.push(Block {
                     k,
@@ -64,12 +64,13 @@ impl Layout {
             }
         }
         let all: Vec<usize> = (0..=N).collect();
-        let local = |slot: &Slot| match blocks
-            .iter()
-            .find(|b| b.k == slot.k && b.place == slot.place)
-        {
-            Some(block) => block.start + slot.index,
-            None => slot.index,
+        let local = |slot: &Slot| match slot.k == N {
+            true => slot.index,
+            false => {
+                let mut blocks = blocks.iter();
+                let block = blocks.find(|b| b.k == slot.k && b.place == slot.place);
+                block.expect("every subsimplex has a block").start + slot.index
+            }
         };
         let bernstein: Vec<usize> = space.trace_slots(&all).iter().map(local).collect();
         let faces = faces(N, p, &blocks, &bernstein);
@@ -83,8 +84,13 @@ impl Layout {
     }
 }
 
-/// dim P_{p−1} on a face.
-pub(super) fn slopes(n: usize, p: usize) -> usize {
+/// How many u of degree p belong to a k-simplex: the Bernstein polynomials that charge all its vertices.
+pub(in crate::norm) fn own(k: usize, p: usize) -> usize {
+    binomial(p - 1, k)
+}
+
+/// How many û belong to a face: dim P_{p−1}.
+pub(in crate::norm) fn slopes(n: usize, p: usize) -> usize {
     binomial(p + n - 2, n - 1)
 }
 
@@ -94,14 +100,14 @@ fn faces(n: usize, p: usize, blocks: &[Block], bernstein: &[usize]) -> Vec<Vec<F
     let of_face = Bernstein::new(n, p - 1);
     let index_of = |alpha: &[usize]| {
         let position = of_cell.exponents().iter().position(|a| a == alpha);
-        bernstein[position.unwrap_or_default()]
+        bernstein[position.expect("β + e_v is of degree p")]
     };
     let mut all = Vec::new();
     for (face, block) in subsets(n + 1, n)
         .iter()
         .zip(blocks.iter().filter(|b| b.k == n - 1))
     {
-        let first = block.start + binomial(p - 1, n - 1);
+        let first = block.start + own(n - 1, p);
         let moment = |(beta, exponents): (usize, &Vec<usize>)| {
             let mut alpha = vec![0; n + 1];
             for (i, &v) in face.iter().enumerate() {

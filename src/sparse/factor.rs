@@ -1,6 +1,6 @@
-//! A sparse Cholesky factorisation by faer, of a matrix that is in its order of elimination already.
+//! A sparse Cholesky factorisation by faer.
 
-use super::sparse::Upper;
+use super::upper::Upper;
 use crate::Error;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::linalg::cholesky::{
@@ -29,30 +29,38 @@ fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
     }
 }
 
+/// The threads of faer's larger products: always as many, since the order of their sums depends on it.
 #[cfg(feature = "parallel")]
-pub(super) fn in_parallel() -> Par {
+pub(crate) fn in_parallel() -> Par {
     Par::rayon(2)
 }
 
+/// The threads of faer's larger products: none.
 #[cfg(not(feature = "parallel"))]
-pub(super) fn in_parallel() -> Par {
+pub(crate) fn in_parallel() -> Par {
     Par::Seq
+}
+
+/// In which order the unknowns are eliminated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// That of the matrix.
+    Given,
+    /// That of an approximate minimum degree, which needs no coordinates.
+    MinimumDegree,
 }
 
 impl Factor {
     /// The factor of a matrix with at least one row.
-    pub(super) fn new(matrix: &Upper) -> Result<Self, Error> {
-        let order = SymmetricOrdering::Identity;
-        Self::of(&matrix.columns, &matrix.rows, &matrix.values, order)
-    }
-
-    /// The factor of a matrix whose upper triangle is given by compressed columns, eliminated in this order.
-    pub fn of(
-        columns: &[usize],
-        rows: &[usize],
-        entries: &[f64],
-        order: SymmetricOrdering<'_, usize>,
-    ) -> Result<Self, Error> {
+    ///
+    /// # Errors
+    /// If memory does not suffice, or the matrix is not positive definite.
+    pub fn new(matrix: &Upper, order: Order) -> Result<Self, Error> {
+        let (columns, rows, entries) = (&matrix.columns, &matrix.rows, &matrix.values);
+        let order = match order {
+            Order::Given => SymmetricOrdering::Identity,
+            Order::MinimumDegree => SymmetricOrdering::Amd,
+        };
         let n = columns.len() - 1;
         let pattern = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
         let symbolic = factorize_symbolic_cholesky(pattern, Side::Upper, order, Default::default())

@@ -1,15 +1,18 @@
 //! The diagonal blocks of the condensed operator, one a simplex, inverted.
 
-use super::cell::eliminate;
-use super::hhj::Hhj;
 use super::skeleton::Skeleton;
 use crate::Error;
+use crate::mesh::Mesh;
+use crate::norm::hhj::Hhj;
+use crate::norm::hhj::cell::eliminate;
 use crate::parallel::{for_chunks, in_order};
+use std::sync::Arc;
 
 /// A_ss⁻¹ for each interior simplex s. Single precision is enough for a preconditioner: the rounding is one of every
 /// entry, relative to itself.
 #[derive(Clone, Debug)]
 pub(super) struct BlockJacobi {
+    skeleton: Arc<Skeleton>,
     /// By dimension: the lower triangles, row by row, one simplex after the other. Zero in ∂Ω.
     inverses: Vec<Vec<f32>>,
 }
@@ -20,50 +23,26 @@ const SIMPLICES: usize = 1024;
 impl BlockJacobi {
     /// # Errors
     /// If rounding makes a block indefinite (cells that are all but flat).
-    pub fn new<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Result<Self, Error> {
-        let (mesh, layout) = (hhj.mesh(), hhj.layout());
-        let sizes: Vec<usize> = skeleton.widths.iter().map(|w| w * (w + 1) / 2).collect();
-        let mut sums: Vec<Vec<f64>> = (0..N)
-            .map(|k| vec![0.0; sizes[k] * mesh.count(k)])
-            .collect();
-        let blocks = |cell: usize| {
-            let mut energy = hhj.energy(cell);
-            eliminate(&mut energy, layout.bubbles);
-            let mut packed = Vec::new();
-            for block in &layout.blocks {
-                for i in 0..block.width {
-                    packed.extend((0..=i).map(|j| energy[(block.start + i, block.start + j)]));
-                }
-            }
-            packed
-        };
-        in_order(mesh.cell_count(), blocks, |cell, packed| {
-            let mut from = packed.as_slice();
-            for block in &layout.blocks {
-                let (here, rest) = from.split_at(sizes[block.k]);
-                let simplex = mesh.simplices_of(cell, block.k)[block.place] as usize;
-                let to = &mut sums[block.k][simplex * here.len()..];
-                for (to, a) in to.iter_mut().zip(here) {
-                    *to += a;
-                }
-                from = rest;
-            }
-        });
+    pub fn new<const N: usize>(hhj: &Hhj<N>, skeleton: &Arc<Skeleton>) -> Result<Self, Error> {
         let mut inverses = Vec::new();
-        for (k, sums) in sums.into_iter().enumerate() {
-            inverses.push(invert(hhj, k, skeleton.widths[k], &sums)?);
+        for (k, sums) in diagonal(hhj, skeleton).into_iter().enumerate() {
+            inverses.push(invert(hhj.mesh(), k, skeleton.widths[k], &sums)?);
         }
-        Ok(Self { inverses })
+        Ok(Self {
+            skeleton: skeleton.clone(),
+            inverses,
+        })
     }
 
     /// z = J r.
-    pub fn apply(&self, skeleton: &Skeleton, r: &[f64], z: &mut [f64]) {
+    pub fn apply(&self, r: &[f64], z: &mut [f64]) {
+        let skeleton = &self.skeleton;
         for (k, inverses) in self.inverses.iter().enumerate() {
             let width = skeleton.widths[k];
             if width == 0 {
                 continue;
             }
-            let (r, size) = (skeleton.layer(k, r), width * (width + 1) / 2);
+            let (r, size) = (skeleton.layer(k, r), packed(width));
             for_chunks(skeleton.layer_mut(k, z), SIMPLICES * width, |piece, z| {
                 let first = piece * SIMPLICES;
                 for (i, z) in z.chunks_exact_mut(width).enumerate() {
@@ -74,6 +53,44 @@ impl BlockJacobi {
             });
         }
     }
+}
+
+/// How many entries the lower triangle of a block has.
+fn packed(width: usize) -> usize {
+    width * (width + 1) / 2
+}
+
+/// The blocks A_ss, as those of [`BlockJacobi`] but in double precision and of all simplices.
+fn diagonal<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Vec<Vec<f64>> {
+    let (mesh, layout) = (hhj.mesh(), hhj.layout());
+    let sizes: Vec<usize> = skeleton.widths.iter().map(|&w| packed(w)).collect();
+    let mut sums: Vec<Vec<f64>> = (0..N)
+        .map(|k| vec![0.0; sizes[k] * mesh.count(k)])
+        .collect();
+    let blocks = |cell: usize| {
+        let mut energy = hhj.energy(cell);
+        eliminate(&mut energy, layout.bubbles);
+        let mut packed = Vec::new();
+        for block in &layout.blocks {
+            for i in 0..block.width {
+                packed.extend((0..=i).map(|j| energy[(block.start + i, block.start + j)]));
+            }
+        }
+        packed
+    };
+    in_order(mesh.cell_count(), blocks, |cell, packed| {
+        let mut from = packed.as_slice();
+        for block in &layout.blocks {
+            let (here, rest) = from.split_at(sizes[block.k]);
+            let simplex = mesh.simplices_of(cell, block.k)[block.place] as usize;
+            let to = &mut sums[block.k][simplex * here.len()..];
+            for (to, a) in to.iter_mut().zip(here) {
+                *to += a;
+            }
+            from = rest;
+        }
+    });
+    sums
 }
 
 /// z = A r from A's lower triangle.
@@ -94,12 +111,12 @@ fn multiply(a: &[f32], r: &[f64], z: &mut [f64]) {
 
 /// The inverses of the k-simplices' blocks.
 fn invert<const N: usize>(
-    hhj: &Hhj<N>,
+    mesh: &Mesh<N>,
     k: usize,
     width: usize,
     sums: &[f64],
 ) -> Result<Vec<f32>, Error> {
-    let (mesh, size) = (hhj.mesh(), width * (width + 1) / 2);
+    let size = packed(width);
     let mut inverses = vec![0.0; sums.len()];
     if size == 0 {
         return Ok(inverses);

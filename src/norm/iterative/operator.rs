@@ -5,17 +5,19 @@
 //! and every simplex then adds up what its cells have for it, in their order: no bit depends on the threads.
 
 use super::batch::{Batch, CELLS, row, row_mut};
-use super::hhj::Hhj;
 use super::skeleton::Skeleton;
+use crate::norm::hhj::Hhj;
 use crate::parallel::for_chunks;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
 /// The operator on the unknowns of a [`Skeleton`].
 #[derive(Clone, Debug)]
-pub(super) struct Operator {
-    pub skeleton: Skeleton,
+pub(super) struct Operator<const N: usize> {
+    pub hhj: Arc<Hhj<N>>,
+    pub skeleton: Arc<Skeleton>,
     /// B̂_aᵀ B̂_b restricted to the bubbles, in the order a·pairs + b.
     gram: Vec<DMatrix<f64>>,
 }
@@ -23,8 +25,8 @@ pub(super) struct Operator {
 /// How many simplices add up their cells' contributions in one piece of work.
 const SIMPLICES: usize = 1024;
 
-impl Operator {
-    pub fn new<const N: usize>(hhj: &Hhj<N>) -> Self {
+impl<const N: usize> Operator<N> {
+    pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>) -> Self {
         let element = hhj.element();
         let (size, bubbles) = (element.moments.len(), element.layout.bubbles);
         let block = |a: usize| element.pairing.view((a * size, 0), (size, bubbles));
@@ -33,73 +35,62 @@ impl Operator {
             .map(|ab| block(ab / pairs).transpose() * block(ab % pairs))
             .collect();
         Self {
-            skeleton: Skeleton::new(hhj),
+            hhj: hhj.clone(),
+            skeleton: skeleton.clone(),
             gram,
         }
     }
 
     /// How much room [`Operator::apply`] needs.
-    pub fn room<const N: usize>(&self, hhj: &Hhj<N>) -> usize {
-        hhj.mesh().cell_count() * outer(hhj)
+    pub fn room(&self) -> usize {
+        self.hhj.mesh().cell_count() * self.outer()
     }
 
     /// The operations of [`Operator::apply`]: B̂ and B̂ᵀ, twice W ⊗ I where there are bubbles, and T with Tᵀ.
-    pub fn operations<const N: usize>(&self, hhj: &Hhj<N>) -> f64 {
-        let element = hhj.element();
+    pub fn operations(&self) -> f64 {
+        let element = self.hhj.element();
         let (rows, columns) = element.pairing.shape();
         let bubbles = element.layout.bubbles;
         let weights = rows * element.pairs.len() * if bubbles > 0 { 2 } else { 1 };
         let slopes: usize = element.layout.faces.iter().map(Vec::len).sum();
         let cell = 4 * rows * (columns + bubbles) + 2 * weights + 4 * slopes * (N + 1);
-        cell as f64 * hhj.mesh().cell_count() as f64
+        cell as f64 * self.hhj.mesh().cell_count() as f64
     }
 
     /// y = S x for the Schur complement S of the bubbles. `room` is overwritten.
-    pub fn apply<const N: usize>(&self, hhj: &Hhj<N>, x: &[f64], y: &mut [f64], room: &mut [f64]) {
-        for_chunks(room, CELLS * outer(hhj), |batch, out| {
-            let mut work = Work::new(hhj, batch);
-            work.load(hhj, &self.skeleton, x);
-            work.bend(hhj, self, &|_| 0.0);
-            work.unload(hhj, out);
+    pub fn apply(&self, x: &[f64], y: &mut [f64], room: &mut [f64]) {
+        for_chunks(room, CELLS * self.outer(), |batch, out| {
+            let mut work = Work::new(self, batch);
+            work.load(x);
+            work.bend(&|_| 0.0);
+            work.unload(out);
         });
         y.fill(0.0);
-        self.collect(hhj, room, y, 1.0);
+        self.collect(room, y, 1.0);
     }
 
     /// y −= A_sb A_bb⁻¹ f_b: the bubbles' load handed on to the other unknowns.
-    pub fn condense<const N: usize>(
-        &self,
-        hhj: &Hhj<N>,
-        load: &[f64],
-        y: &mut [f64],
-        room: &mut [f64],
-    ) {
-        for_chunks(room, CELLS * outer(hhj), |batch, out| {
-            let mut work = Work::new(hhj, batch);
-            work.bend(hhj, self, &|place| load[place]);
-            work.unload(hhj, out);
+    pub fn condense(&self, load: &[f64], y: &mut [f64], room: &mut [f64]) {
+        for_chunks(room, CELLS * self.outer(), |batch, out| {
+            let mut work = Work::new(self, batch);
+            work.bend(&|place| load[place]);
+            work.unload(out);
         });
-        self.collect(hhj, room, y, -1.0);
+        self.collect(room, y, -1.0);
     }
 
     /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients.
-    pub fn bubbles<const N: usize>(
-        &self,
-        hhj: &Hhj<N>,
-        load: &[f64],
-        x: &[f64],
-        coefficients: &mut [f64],
-    ) {
-        let count = hhj.layout().bubbles;
+    pub fn bubbles(&self, load: &[f64], x: &[f64], coefficients: &mut [f64]) {
+        let count = self.hhj.layout().bubbles;
         if count == 0 {
             return;
         }
         let first = self.skeleton.bubbles(0).start;
-        let all = &mut coefficients[first..first + count * hhj.mesh().cell_count()];
+        let all = &mut coefficients[first..first + count * self.hhj.mesh().cell_count()];
         for_chunks(all, CELLS * count, |batch, out| {
-            let mut work = Work::new(hhj, batch);
-            work.load(hhj, &self.skeleton, x);
-            let bubbles = work.bend(hhj, self, &|place| load[place]);
+            let mut work = Work::new(self, batch);
+            work.load(x);
+            let bubbles = work.bend(&|place| load[place]);
             for lane in 0..work.batch.lanes {
                 for i in 0..count {
                     out[lane * count + i] = bubbles[i * work.batch.lanes + lane];
@@ -109,15 +100,16 @@ impl Operator {
     }
 
     /// y += factor · the sum over the cells, for the unknowns of interior simplices.
-    fn collect<const N: usize>(&self, hhj: &Hhj<N>, room: &[f64], y: &mut [f64], factor: f64) {
-        let (mesh, outer, cells) = (hhj.mesh(), outer(hhj), hhj.mesh().cell_count());
+    fn collect(&self, room: &[f64], y: &mut [f64], factor: f64) {
+        let (mesh, layout) = (self.hhj.mesh(), self.hhj.layout());
+        let (outer, cells) = (self.outer(), mesh.cell_count());
         for k in 0..N {
             let width = self.skeleton.widths[k];
             if width == 0 {
                 continue;
             }
-            let starts: Vec<usize> = (hhj.layout().blocks.iter().filter(|b| b.k == k))
-                .map(|b| b.start - hhj.layout().bubbles)
+            let starts: Vec<usize> = (layout.blocks.iter().filter(|b| b.k == k))
+                .map(|b| b.start - layout.bubbles)
                 .collect();
             let layer = self.skeleton.layer_mut(k, y);
             for_chunks(layer, SIMPLICES * width, |piece, layer| {
@@ -138,15 +130,16 @@ impl Operator {
             });
         }
     }
-}
 
-/// A cell's unknowns that are not bubbles.
-fn outer<const N: usize>(hhj: &Hhj<N>) -> usize {
-    hhj.layout().len - hhj.layout().bubbles
+    /// How many of a cell's unknowns are not bubbles.
+    fn outer(&self) -> usize {
+        self.hhj.layout().len - self.hhj.layout().bubbles
+    }
 }
 
 /// A batch at work.
-struct Work {
+struct Work<'a, const N: usize> {
+    operator: &'a Operator<N>,
     batch: Batch,
     /// Its first cell.
     begin: usize,
@@ -157,13 +150,15 @@ struct Work {
     z: Vec<f64>,
 }
 
-impl Work {
-    fn new<const N: usize>(hhj: &Hhj<N>, batch: usize) -> Self {
+impl<'a, const N: usize> Work<'a, N> {
+    fn new(operator: &'a Operator<N>, batch: usize) -> Self {
+        let hhj = &operator.hhj;
         let begin = batch * CELLS;
         let shapes = hhj.shapes();
         let shapes = &shapes[begin..shapes.len().min(begin + CELLS)];
         let (lanes, rows) = (shapes.len(), hhj.element().pairing.nrows());
         Self {
+            operator,
             batch: Batch::new(hhj.element(), shapes),
             begin,
             x: vec![0.0; hhj.layout().len * lanes],
@@ -173,7 +168,8 @@ impl Work {
     }
 
     /// y = B̂ T x for the cells' part of a global x, without bubbles.
-    fn load<const N: usize>(&mut self, hhj: &Hhj<N>, skeleton: &Skeleton, global: &[f64]) {
+    fn load(&mut self, global: &[f64]) {
+        let (hhj, skeleton) = (&self.operator.hhj, &self.operator.skeleton);
         let (element, lanes) = (hhj.element(), self.batch.lanes);
         for lane in 0..lanes {
             let cell = self.begin + lane;
@@ -195,13 +191,9 @@ impl Work {
     }
 
     /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y), which are returned; `f` by places.
-    fn bend<const N: usize>(
-        &mut self,
-        hhj: &Hhj<N>,
-        operator: &Operator,
-        f: &dyn Fn(usize) -> f64,
-    ) -> Vec<f64> {
-        let (element, lanes) = (hhj.element(), self.batch.lanes);
+    fn bend(&mut self, f: &dyn Fn(usize) -> f64) -> Vec<f64> {
+        let operator = self.operator;
+        let (element, lanes) = (operator.hhj.element(), self.batch.lanes);
         let (pairs, size, bubbles) = (
             element.pairs.len(),
             element.moments.len(),
@@ -244,8 +236,8 @@ impl Work {
     }
 
     /// Tᵀ B̂ᵀ z without the bubbles' rows.
-    fn unload<const N: usize>(&mut self, hhj: &Hhj<N>, out: &mut [f64]) {
-        let (element, lanes) = (hhj.element(), self.batch.lanes);
+    fn unload(&mut self, out: &mut [f64]) {
+        let (element, lanes) = (self.operator.hhj.element(), self.batch.lanes);
         multiply(&mut self.x, &self.z, lanes, as_mat(&element.pairing));
         self.batch.shift_back(element, &mut self.x);
         out.copy_from_slice(&self.x[element.layout.bubbles * lanes..]);

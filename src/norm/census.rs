@@ -1,0 +1,70 @@
+//! What is known of a mesh without having it: enough to choose a solver, and to say how much memory it will take.
+
+use super::iterative::Iterative;
+use crate::mesh::Mesh;
+use crate::simplex::binomial;
+
+/// How many simplices of each dimension a mesh has, and whether it is a cube's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Census {
+    /// The number of k-simplices, k = 0…N.
+    pub simplices: Vec<usize>,
+    /// Is it one that [`Mesh::cube`] makes, inner vertices moved or not?
+    pub cube: bool,
+}
+
+impl Census {
+    /// Of a mesh.
+    pub fn of<const N: usize>(mesh: &Mesh<N>) -> Self {
+        Self {
+            simplices: (0..=N).map(|k| mesh.count(k)).collect(),
+            cube: Iterative::suits(mesh),
+        }
+    }
+
+    /// Of what `Mesh::<n>::cube(side)` would be: a box is cut into n! simplices.
+    ///
+    /// A k-simplex is a chain of k steps through the axes. The steps take j ≥ k axes together, in as many ways as there are
+    /// maps of j things onto k; the first vertex has `side` places along these axes, and one more along the others.
+    pub fn cube(n: usize, side: usize) -> Self {
+        let places = |j: usize| side.pow(j as u32) * (side + 1).pow((n - j) as u32);
+        let chains = |k: usize, j: usize| binomial(n, j) * onto(j, k) * places(j);
+        Self {
+            simplices: (0..=n)
+                .map(|k| (k..=n).map(|j| chains(k, j)).sum())
+                .collect(),
+            cube: true,
+        }
+    }
+}
+
+/// How many maps of j things are onto k things.
+fn onto(j: usize, k: usize) -> usize {
+    match (j, k) {
+        (0, 0) => 1,
+        (0, _) | (_, 0) => 0,
+        // The last thing has one of k images, of which the others either are still all taken or all but this one.
+        _ => k * (onto(j - 1, k) + onto(j - 1, k - 1)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_the_cube() {
+        fn check<const N: usize>(sides: &[usize]) {
+            for &side in sides {
+                let mesh = Mesh::<N>::cube(side).unwrap();
+                let census = Census::cube(N, side);
+                assert_eq!(census.simplices, Census::of(&mesh).simplices, "{N}, {side}");
+                // The iterative solver is for the plane and for space.
+                assert_eq!(Census::of(&mesh).cube, N <= 3);
+            }
+        }
+        check::<2>(&[1, 2, 5]);
+        check::<3>(&[1, 2, 3]);
+        check::<4>(&[1, 2]);
+    }
+}

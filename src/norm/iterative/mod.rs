@@ -1,0 +1,150 @@
+//! The matrix-free solver: conjugate gradients, preconditioned by blocks and a coarse space of splines.
+
+mod batch;
+mod cg;
+mod coarse;
+mod cycle;
+mod jacobi;
+mod operator;
+mod skeleton;
+
+use super::dual::{Representative, Step, Target};
+use super::hhj::{Hhj, Size};
+use super::solver::BiharmonicSolver;
+use crate::Error;
+use crate::mesh::Mesh;
+use coarse::{Coarse, lattice::Lattice};
+use cycle::{Cycle, Room};
+use jacobi::BlockJacobi;
+use operator::Operator;
+use skeleton::Skeleton;
+use std::sync::Arc;
+
+/// Conjugate gradients for meshes that [`Mesh::cube`] made, with inner vertices moved or not. Nothing of the
+/// operator is stored; its bits do not depend on the number of threads.
+///
+/// The preconditioner smooths by the inverse diagonal blocks, one a simplex, corrects in cubic splines and smooths again.
+#[derive(Debug)]
+pub struct Iterative<const N: usize> {
+    cycle: Cycle<N>,
+    target: Target,
+}
+
+impl<const N: usize> Iterative<N> {
+    /// Is it for this mesh?
+    pub fn suits(mesh: &Mesh<N>) -> bool {
+        (2..=3).contains(&N) && Lattice::of(mesh).is_some()
+    }
+
+    /// Sets up the preconditioner for a discretisation, which is taken as it is or shared. It will iterate to
+    /// [`Target::DEFAULT`].
+    ///
+    /// # Errors
+    /// If the mesh is not a cube's or N > 3, or a block of the operator is not positive definite.
+    pub fn new(hhj: impl Into<Arc<Hhj<N>>>) -> Result<Self, Error> {
+        Self::with_target(hhj, Target::DEFAULT)
+    }
+
+    /// [`Iterative::new`] with another target.
+    ///
+    /// # Errors
+    /// As [`Iterative::new`].
+    pub fn with_target(hhj: impl Into<Arc<Hhj<N>>>, target: Target) -> Result<Self, Error> {
+        let hhj = hhj.into();
+        if !Self::suits(hhj.mesh()) {
+            let reason = "the iterative solver is for the cube's mesh, inner vertices moved or not, N = 2 or 3";
+            return Err(Error::Input(reason.into()));
+        }
+        let skeleton = Arc::new(Skeleton::new(hhj.mesh(), hhj.space().degree()));
+        let coarse = Coarse::new(&hhj, &skeleton)?;
+        let jacobi = BlockJacobi::new(&hhj, &skeleton)?;
+        let cycle = Cycle::new(Operator::new(&hhj, &skeleton), jacobi, coarse);
+        Ok(Self { cycle, target })
+    }
+
+    fn operator(&self) -> &Operator<N> {
+        &self.cycle.operator
+    }
+}
+
+/// What benches measure.
+impl<const N: usize> Iterative<N> {
+    /// How many unknowns it iterates on, clamped ones included.
+    pub fn unknowns(&self) -> usize {
+        self.operator().skeleton.len()
+    }
+
+    /// How many additions and multiplications one application of the operator is, as dense products count them.
+    pub fn operations(&self) -> f64 {
+        self.operator().operations()
+    }
+
+    /// y = S x for the condensed operator S on all unknowns; `room` is overwritten and of the right size after the
+    /// first time.
+    ///
+    /// # Panics
+    /// If x or y has not [`Iterative::unknowns`] entries.
+    pub fn apply(&self, x: &[f64], y: &mut [f64], room: &mut Vec<f64>) {
+        assert!(x.len() == self.unknowns() && y.len() == x.len());
+        room.resize(self.operator().room(), 0.0);
+        self.operator().apply(x, y, room);
+    }
+
+    /// z = M⁻¹ r for the preconditioner M.
+    ///
+    /// # Panics
+    /// If r or z has not [`Iterative::unknowns`] entries.
+    pub fn precondition(&self, r: &[f64], z: &mut [f64]) {
+        assert!(r.len() == self.unknowns() && z.len() == r.len());
+        self.cycle.apply(r, z, &mut Room::new(self.operator()));
+    }
+}
+
+impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
+    fn hhj(&self) -> &Hhj<N> {
+        &self.operator().hhj
+    }
+
+    fn name(&self) -> &'static str {
+        "cg"
+    }
+
+    fn solve(&self, load: &[f64], watch: &mut dyn FnMut(Step)) -> Result<Representative, Error> {
+        assert_eq!(
+            load.len(),
+            self.hhj().space().len(),
+            "a load of another space"
+        );
+        let (operator, skeleton) = (self.operator(), &self.operator().skeleton);
+        let mut r = skeleton.gather(self.hhj().mesh(), load);
+        let mut room = Room::new(operator);
+        operator.condense(load, &mut r, room.operator());
+        let x = cg::solve(
+            r,
+            self.target,
+            &mut room,
+            |p, q, room| operator.apply(p, q, room.operator()),
+            |r, z, room| self.cycle.apply(r, z, room),
+            watch,
+        )?;
+        let mut coefficients = vec![0.0; self.hhj().len()];
+        skeleton.scatter(self.hhj().mesh(), &x, &mut coefficients);
+        operator.bubbles(load, &x, &mut coefficients);
+        Ok(Representative { coefficients })
+    }
+}
+
+/// The bytes that the iteration takes: inverse blocks in single precision; eight vectors, the load and the solution; a place
+/// for each cell's result. While they are set up the blocks are there in double precision too.
+pub(super) fn memory(size: &Size) -> f64 {
+    let [blocks, unknowns, u, outer] = [
+        size.blocks(),
+        size.unknowns(),
+        size.functions(),
+        size.cells() * size.outer(),
+    ]
+    .map(|count| count as f64);
+    let vectors = 8.0 * (8.0 * unknowns + 2.0 * (u + unknowns));
+    let set_up = (8.0 * blocks - 64.0 * unknowns).max(0.0);
+    4.0 * blocks + vectors + 8.0 * outer + set_up
+}
