@@ -10,8 +10,11 @@ use regge_curvature::Error;
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::{Mesh, SplitMix64};
 use regge_curvature::metrics::{Metric, Smooth};
-use regge_curvature::norm::{Deflection, HMinus2, Step};
+use regge_curvature::norm::{DualNorm, Kind, Representative, Setting, Step};
 use regge_curvature::spaces::ReggeSpace;
+
+/// The norm of the studies.
+pub(super) const NORM: &str = "hm2";
 
 /// The seed of a level's mesh: a number of 32 bits, which every JSON reader keeps.
 pub fn mesh_seed(seed: u64, level: u32) -> u64 {
@@ -51,17 +54,17 @@ pub(super) trait CaseMesh {
     ) -> Result<Vec<f64>, Error>;
 
     /// The solution of the biharmonic problem.
-    fn solve(&self, load: &[f64], watch: &mut dyn FnMut(Step)) -> Result<Deflection, Error>;
+    fn solve(&self, load: &[f64], watch: &mut dyn FnMut(Step)) -> Result<Representative, Error>;
 
     /// The H⁻² norm that belongs to a solution.
-    fn norm(&self, solution: &Deflection) -> Result<f64, Error>;
+    fn norm(&self, solution: &Representative) -> Result<f64, Error>;
 }
 
 /// A case on its mesh of dimension N.
 pub(super) struct OnMesh<const N: usize> {
     g: Smooth<Metric, N>,
     space: ReggeSpace<N>,
-    norm: HMinus2<N>,
+    norm: Box<dyn DualNorm<N>>,
     rules: StudyRules,
 }
 
@@ -74,8 +77,9 @@ impl<const N: usize> OnMesh<N> {
         watch(Phase::Mesh);
         let mesh = mesh::<N>(case.level, mesh_seed(study.seed, case.level))?;
         watch(Phase::SetUp);
+        let kind = Kind::named(NORM).expect("the library has the norm of the paper");
         Ok(Self {
-            norm: HMinus2::new(&mesh, case.degree + 2)?,
+            norm: (kind.new)(&Setting::new(&mesh, (kind.degree)(case.degree)))?,
             g: Smooth::new(&mesh, study.metric)?,
             space: ReggeSpace::new(&mesh, case.degree),
             rules: study.quadrature.rules(N, case)?,
@@ -106,12 +110,12 @@ impl<const N: usize> CaseMesh for OnMesh<N> {
         Ok(quantity.load(&self.g, &g_h, self.norm.space(), &self.rules.load))
     }
 
-    fn solve(&self, load: &[f64], watch: &mut dyn FnMut(Step)) -> Result<Deflection, Error> {
-        self.norm.solve_watched(load, watch)
+    fn solve(&self, load: &[f64], watch: &mut dyn FnMut(Step)) -> Result<Representative, Error> {
+        self.norm.represent(load, watch)
     }
 
-    fn norm(&self, solution: &Deflection) -> Result<f64, Error> {
-        let norm = self.norm.norm_of(solution, self.rules.norm.as_ref())?;
-        Ok(norm.total())
+    fn norm(&self, solution: &Representative) -> Result<f64, Error> {
+        let norm = self.norm.measure(solution, self.rules.norm.as_ref())?;
+        Ok(norm.total)
     }
 }

@@ -1,12 +1,10 @@
 //! How much memory a case takes.
 
 use crate::case::Case;
+use crate::case_mesh::NORM;
 use crate::study::Study;
 use regge_curvature::norm::{Census, Kind};
 use regge_curvature::simplex::binomial;
-
-/// The norm of the studies.
-const NORM: &str = "hm2";
 
 impl Study {
     /// The memory in bytes that a case takes at its height: 20 to 30 % more than was measured for N = 3, k = 5 (275 and

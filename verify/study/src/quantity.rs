@@ -7,7 +7,6 @@ use regge_curvature::functional::{
 };
 use regge_curvature::metrics::{Metric, Smooth};
 use regge_curvature::quadrature::{Rule, gauss_legendre};
-use regge_curvature::scalar::Lanes;
 use regge_curvature::spaces::{Lagrange, ReggeFunction};
 
 /// A functional of g and g_h. With g̃(t) = (1−t) g + t g_h and σ = g_h − g the error is ∫₀¹ b_h − a_h dt.
@@ -118,8 +117,8 @@ impl Quantity {
         let rules = &record.rules(rules);
         match record.form {
             Form::Difference => {
-                let smooth = smooth_curvature::<Lanes, N, _>(g, space, &rules.cells);
-                let mut load = distributional_curvature::<Lanes, N, _>(g_h, space, rules).total();
+                let smooth = smooth_curvature(g, space, rules);
+                let mut load = distributional_curvature(g_h, space, rules).total();
                 add(&mut load, -1.0, &smooth);
                 load
             }
@@ -158,11 +157,11 @@ impl Record {
             true => rule.clone(),
             false => Rule::new(rule.points().vertices() - 1, 0),
         };
-        Rules {
-            cells: chosen(self.sums[0], &rules.cells),
-            faces: chosen(self.sums[1], &rules.faces),
-            hinges: chosen(self.sums[2], &rules.hinges),
-        }
+        Rules::of(
+            chosen(self.sums[0], &rules.cells),
+            chosen(self.sums[1], &rules.faces),
+            chosen(self.sums[2], &rules.hinges),
+        )
     }
 
     /// The sums that are looked at, added up.
@@ -185,7 +184,7 @@ fn add(y: &mut [f64], alpha: f64, x: &[f64]) {
 }
 
 type Segment<'a, const N: usize> =
-    Combination<&'a Smooth<Metric, N>, &'a ReggeFunction<f64, N>, Lanes>;
+    Combination<&'a Smooth<Metric, N>, &'a ReggeFunction<f64, N>, f64>;
 
 /// ∫₀¹ f(g̃(t), σ) dt by Gauss' rule, f with so many entries.
 fn along_segment<'a, const N: usize>(
@@ -194,12 +193,11 @@ fn along_segment<'a, const N: usize>(
     entries: usize,
     f: &dyn Fn(&Segment<'a, N>, &Segment<'a, N>) -> Vec<f64>,
 ) -> Vec<f64> {
-    let one = Lanes::new([1.0; 4]);
-    let sigma = Combination::new(-one, g, one, g_h);
+    let sigma = Combination::new(-1.0, g, 1.0, g_h);
     let mut load = vec![0.0; entries];
     let (points, weights) = gauss_legendre(POINTS_IN_T);
     for (t, weight) in points.into_iter().zip(weights) {
-        let metric = Combination::segment(g, g_h, Lanes::new([t; 4]));
+        let metric = Combination::segment(g, g_h, t);
         add(&mut load, weight, &f(&metric, &sigma));
     }
     load

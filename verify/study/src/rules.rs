@@ -146,11 +146,7 @@ impl Quadrature {
         };
         let norm = self.norm_order(n, case.degree);
         Ok(StudyRules {
-            load: Rules {
-                cells: rule(n)?,
-                faces: rule(n - 1)?,
-                hinges: rule(n - 2)?,
-            },
+            load: Rules::of(rule(n)?, rule(n - 1)?, rule(n - 2)?),
             norm: norm.map(|order| printed_rule(n, order)).transpose()?,
         })
     }
