@@ -11,8 +11,17 @@ use crate::spaces::ReggeSpace;
 /// polynomials, `[cell][edge][α]`.
 pub(super) fn coefficients<const N: usize>(space: &ReggeSpace<N>, cells: &[Vec<f64>]) -> Vec<f64> {
     let canonical = Canonical::new(space);
-    let mut values = vec![0.0; space.len()];
-    let mut shares = vec![0.0; space.len()];
+    let means = means(space, &canonical, cells);
+    canonical.solve(&means)
+}
+
+/// The degrees of freedom of the given local polynomials, averaged over the cells that share them.
+fn means<const N: usize>(
+    space: &ReggeSpace<N>,
+    canonical: &Canonical<N>,
+    cells: &[Vec<f64>],
+) -> Vec<f64> {
+    let (mut means, mut shares) = (vec![0.0; space.len()], vec![0.0; space.len()]);
     let of_cell = |cell: usize| {
         let mut list = Vec::with_capacity(cells[cell].len());
         canonical.of_cell(cell, &cells[cell], |dof, value| list.push((dof, value)));
@@ -20,12 +29,12 @@ pub(super) fn coefficients<const N: usize>(space: &ReggeSpace<N>, cells: &[Vec<f
     };
     in_order(cells.len(), of_cell, |_, list| {
         for (dof, value) in list {
-            values[dof] += value;
+            means[dof] += value;
             shares[dof] += 1.0;
         }
     });
-    for (value, share) in values.iter_mut().zip(shares) {
-        *value /= share;
+    for (mean, share) in means.iter_mut().zip(shares) {
+        *mean /= share;
     }
-    canonical.solve(&values)
+    means
 }

@@ -8,7 +8,8 @@
 //! | `geodesic` | the edge lengths are geodesic distances | 0 |
 //!
 //! What lists interpolants, or knows them by name, reads [`Interpolant::ALL`]. A new one is a file of its own, a line in
-//! the table (`table.rs`) and a line in `Interpolant::coefficients`, on which the compiler insists.
+//! the table (`table.rs`) and a line in `Interpolant::coefficients`, on which the compiler insists
+//! (docs/how-to/interpolant.md).
 
 mod average;
 mod canonical;
@@ -242,3 +243,8 @@ impl Interpolant {
         })
     }
 }
+
+/// The how-to page, whose example is compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/how-to/interpolant.md")]
+struct HowTo;

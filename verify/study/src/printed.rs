@@ -24,7 +24,9 @@ pub fn series(
     interpolant: &Interpolant,
 ) -> Option<&'static Series> {
     let canonical = interpolant.is(&Interpolant::canonical());
-    if metric != Metric::GraphQuartic || !(canonical || interpolant.projects()) {
+    let averages = [Interpolant::average(), Interpolant::average_hierarchical()];
+    let averaged = averages.iter().any(|average| average.is(interpolant));
+    if metric != Metric::GraphQuartic || !(canonical || averaged) {
         return None;
     }
     SERIES.iter().find(|s| {
