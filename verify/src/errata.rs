@@ -1,10 +1,9 @@
-//! The errata of the paper, with numbers computed here.
+//! Floor 5 of the verification. The errata of the paper, with numbers computed here.
 //!
-//! [`page`] makes docs/errata.md; `verify/catalogue/tests/errata.rs` keeps the committed page up to date.
+//! [`page`] makes docs/errata.md; `verify/tests/errata.rs` keeps the committed page up to date.
 
-use crate::claim::seed::Key;
-use crate::claims::mesh::second_variation;
-use crate::claims::mesh::setting::Draw;
+use crate::claims::second_variation;
+use crate::harness::{Draw, Key};
 use regge_curvature::Error;
 use regge_curvature::interpolate::Canonical;
 use regge_curvature::linalg::{Mat, symmetric};
