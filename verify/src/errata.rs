@@ -1,10 +1,9 @@
-//! The errata of the paper, with numbers computed here.
+//! Floor 5 of the verification. The errata of the paper, with numbers computed here.
 //!
-//! [`page`] makes docs/errata.md; `verify/catalogue/tests/errata.rs` keeps the committed page up to date.
+//! [`page`] makes docs/errata.md; `verify/tests/errata.rs` keeps the committed page up to date.
 
-use crate::claim::seed::Key;
-use crate::claims::mesh::second_variation;
-use crate::claims::mesh::setting::Draw;
+use crate::claims::second_variation;
+use crate::harness::{Draw, Key};
 use regge_curvature::Error;
 use regge_curvature::interpolate::{Canonical, Interpolant};
 use regge_curvature::linalg::{Mat, symmetric};
@@ -117,7 +116,7 @@ fn scaling_section() -> Result<String, Error> {
         rows += &format!("| {k} | {value:.6} | {norm:.6} | {:.4} |\n", value / norm);
     }
     Ok(format!(
-        "{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-catalogue --test errata`\n"
+        "{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-verify --test errata`\n"
     ))
 }
 
@@ -172,7 +171,7 @@ const HEAD: &str = "\
 
 What we found in E. S. Gawlik and M. Neunteufel, *Finite element approximation of scalar curvature in arbitrary
 dimension*, while verifying it. The theorems stand. Each entry says how to check it. This page is made by
-`verify/catalogue/src/errata.rs`; a test compares it with what the program computes.
+`verify/src/errata.rs`; a test compares it with what the program computes.
 ";
 
 const CONORMAL: &str = "\

@@ -1,14 +1,22 @@
-//! The sceptic's half of `regge`: the catalogue of claims.
+//! The sceptic's half of `regge-curvature`: the catalogue of claims.
 //!
 //! [`run()`] checks every claim and yields a [`Report`](report::Report). See [`claims`] for how to add one.
+//!
+//! | floor | module | what is there |
+//! |---|---|---|
+//! | 0 | [`exact`] | a prime field, and integrals over it |
+//! | 1 | [`harness`] | equations, forgeries, checks as data, one entry of the report |
+//! | 2 | [`stage`] | instances, fields, meshes, and what several claims compute |
+//! | 3 | [`claims`] | the claims, by the sections of the paper |
+//! | 4 | [`report`] | tables and pages |
+//! | 5 | [`run()`], [`errata`] | the catalogue, run |
 
-pub mod claim;
 pub mod claims;
 pub mod errata;
 pub mod exact;
-pub mod exact_rule;
-pub mod instance;
+pub mod harness;
 pub mod report;
 mod run;
+pub mod stage;
 
 pub use run::{Options, Progress, UnknownLabel, run, run_catalogue};

@@ -1,8 +1,8 @@
-//! Runs the catalogue, or a part of it.
+//! Floor 5 of the verification. Runs the catalogue, or a part of it.
 
-use crate::claim::{Budget, Check};
 use crate::claims::{Catalogue, catalogue};
-use crate::report::{Entry, Report};
+use crate::harness::{Budget, Check, Entry};
+use crate::report::Report;
 use rayon::prelude::*;
 use std::fmt;
 
@@ -83,29 +83,22 @@ pub fn run_catalogue(
     progress: &(dyn Fn(Progress<'_>) + Sync),
 ) -> Result<Report, UnknownLabel> {
     for label in &options.only {
-        if !catalogue.iter().any(|c| is_called(c.as_ref(), label)) {
+        if !catalogue.iter().any(|c| is_called(c, label)) {
             return Err(unknown(&catalogue, label));
         }
     }
-    let wanted = |c: &dyn Check| {
+    let wanted = |c: &Check| {
         let named = options.only.is_empty() || options.only.iter().any(|l| is_called(c, l));
-        named && options.dimension.is_none_or(|n| n == c.dimension())
+        named && options.dimension.is_none_or(|n| n == c.dimension)
     };
-    let checks: Vec<Box<dyn Check>> = catalogue
-        .into_iter()
-        .filter(|c| wanted(c.as_ref()))
-        .collect();
-    let budget = if options.quick {
-        Budget::quick(options.seed)
-    } else {
-        Budget::full(options.seed)
+    let checks: Catalogue = catalogue.into_iter().filter(wanted).collect();
+    let budget = Budget {
+        seed: options.seed,
+        quick: options.quick,
     };
     let total = checks.len();
-    let run_one = |check: &dyn Check| {
-        let mut entry = check.run(&budget);
-        let excuses = check.excuses();
-        entry.one_method = excuses.one_method.map(str::to_owned);
-        entry.few_cases = excuses.few_cases.map(str::to_owned);
+    let run_one = |check: &Check| {
+        let entry = check.run(&budget);
         progress(Progress {
             total,
             entry: &entry,
@@ -116,18 +109,18 @@ pub fn run_catalogue(
         version: env!("CARGO_PKG_VERSION").to_owned(),
         revision: "unknown".to_owned(),
         seed: options.seed,
-        claims: checks.par_iter().map(|c| run_one(c.as_ref())).collect(),
+        claims: checks.par_iter().map(run_one).collect(),
     })
 }
 
-fn is_called(check: &dyn Check, label: &str) -> bool {
-    let record = check.record();
+fn is_called(check: &Check, label: &str) -> bool {
+    let record = check.record;
     record.label.eq_ignore_ascii_case(label) || record.paper.contains(&label)
 }
 
 /// The three labels that differ least from the one given.
 fn unknown(catalogue: &Catalogue, label: &str) -> UnknownLabel {
-    let records = catalogue.iter().map(|c| c.record());
+    let records = catalogue.iter().map(|c| c.record);
     let mut labels: Vec<&str> = records
         .flat_map(|r| r.paper.iter().copied().chain([r.label]))
         .collect();

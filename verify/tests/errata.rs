@@ -1,8 +1,8 @@
-//! The errata are what the program computes. `REGGE_BLESS=1 cargo test -p regge-catalogue --test errata` writes the page.
+//! The errata are what the program computes. `REGGE_BLESS=1 cargo test -p regge-verify --test errata` writes the page.
 
 use regge_verify::errata::{conormal, page, scaling};
 
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/errata.md");
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/errata.md");
 
 #[test]
 fn the_printed_conormal_negates_the_second_variation() {

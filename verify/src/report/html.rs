@@ -5,7 +5,7 @@ use super::formula::{escape, mathml};
 use super::page::{SHARED, allowed, names, residual};
 use super::summary::margin;
 use super::{Entry, Report, Row, Verdict};
-use crate::claim::Record;
+use crate::harness::Record;
 use std::fmt::Write;
 
 const STYLE: &str = "\

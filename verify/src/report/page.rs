@@ -2,7 +2,7 @@
 
 use super::summary::{Row, margin};
 use super::{Entry, Report, Verdict};
-use crate::claim::Record;
+use crate::harness::Record;
 use std::fmt::Write;
 
 /// A file of the report.

@@ -1,10 +1,10 @@
 //! The claims on meshes.
 
 use crate::broken::{Broken, Fault, broken_claims, report};
-use regge_verify::claims::{Catalogue, mesh};
+use regge_verify::claims::{Catalogue, on_meshes};
 
 fn claims(all: &mut Catalogue) {
-    mesh::checks_in::<Broken, 3>(all);
+    on_meshes::<Broken, 3>(all);
 }
 
 /// All of these fail, and none of those.

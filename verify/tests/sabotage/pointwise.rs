@@ -1,10 +1,10 @@
 //! The claims that hold at a point.
 
 use crate::broken::{Broken, Fault, broken_claims, report};
-use regge_verify::claims::{Catalogue, pointwise};
+use regge_verify::claims::{Catalogue, at_a_point};
 
 fn claims(all: &mut Catalogue) {
-    pointwise::<Broken, 3>(all);
+    at_a_point::<Broken, 3>(all);
 }
 
 #[test]

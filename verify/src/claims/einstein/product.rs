@@ -1,0 +1,77 @@
+//! M07, M10, M19: the distributional Einstein tensor.
+
+use crate::harness::{Equation, Judgement, Record, Setting};
+use crate::stage::mesh::{Evolution, Moving, QUADRATURE, Three, everywhere};
+use regge_curvature::field::TensorField;
+use regge_curvature::formulas::Formulas;
+use regge_curvature::functional::a_h_with;
+use regge_curvature::jet::Jet2;
+use regge_curvature::linalg::Mat;
+use regge_curvature::simplex::{Bernstein, JetTable, Points};
+use regge_curvature::spaces::Lagrange;
+
+/// v σ for a function v of a Lagrange space.
+struct Product<'a, S, const N: usize> {
+    space: &'a Lagrange<N>,
+    v: &'a [f64],
+    sigma: &'a S,
+}
+
+impl<S: TensorField<f64, N>, const N: usize> TensorField<f64, N> for Product<'_, S, N> {
+    type Table = (JetTable<f64, N>, S::Table);
+    type Local = (Vec<f64>, S::Local);
+
+    fn tabulate(&self, points: &Points) -> Self::Table {
+        let basis = Bernstein::new(N + 1, self.space.degree());
+        (JetTable::new(&basis, points), self.sigma.tabulate(points))
+    }
+    fn on_cell(&self, cell: usize) -> Self::Local {
+        let v = self.space.cell_dofs(cell).map(|d| self.v[d]).collect();
+        (v, self.sigma.on_cell(cell))
+    }
+    fn jet2(&self, local: &Self::Local, table: &Self::Table, q: usize) -> Mat<Jet2<f64, N>, N> {
+        let v = table.0.jet2(q, &local.0);
+        self.sigma.jet2(&local.1, &table.1, q).map(|x| v * x)
+    }
+}
+
+/// The same as M05 by the Einstein tensor.
+pub struct M10;
+
+impl Evolution for M10 {
+    const RECORD: Record = Record {
+        label: "M10",
+        paper: &["sec:einstein", "def:distein", "curvdotintro"],
+        title: "The variation by (div div 𝕊)_dist and the distributional Einstein tensor",
+        statement: r"\frac{d}{dt}\Big|_0\langle (R\omega)_{\rm dist}(g+t\sigma),v\rangle = \langle(\operatorname{div}
+            \operatorname{div}\mathbb{S})_{\rm dist}\sigma,v\rangle - \langle (G\omega)_{\rm dist}(g),v\sigma\rangle",
+        sides: "As M05, but the last term is the Einstein tensor against the field vσ, tested with 1, for one random v: \
+            nothing vanishes term by term. v need not be smooth.",
+    };
+    const JUDGEMENT: Judgement = QUADRATURE;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        everywhere(dimension, quick)
+    }
+
+    fn equations<K: Formulas, const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+        let (pair, v) = (&m.at, &m.v);
+        let paired = |sum: &[f64]| -> f64 { sum.iter().zip(v).map(|(s, c)| s * c).sum() };
+        let whole = |x: &Three| paired(&x.t) + paired(&x.f) + paired(&x.s);
+        let product = Product {
+            space: &pair.space,
+            v,
+            sigma: &pair.sigma,
+        };
+        let hats = Lagrange::new(pair.space.mesh(), 1);
+        let einstein = a_h_with::<K, f64, N, _, _>(&pair.g, &product, &hats, &pair.rules)
+            .pair(&vec![1.0; hats.len()]);
+        vec![
+            Equation::new("by the Einstein tensor")
+                .left("d/dt⟨(Rω)_dist,v⟩", whole(&m.rate))
+                .right("⟨(div div 𝕊)_dist σ,v⟩", whole(&pair.b::<K>()))
+                .right("−⟨(Gω)_dist,vσ⟩", -einstein.iter().sum::<f64>())
+                .vanishes(N == 2, "(Gω)_dist = 0 when N = 2"),
+        ]
+    }
+}

@@ -1,0 +1,92 @@
+//! M07: surfaces have no Einstein tensor.
+
+use crate::harness::{Draw, Equation, Judgement, Record, Setting, Shape, Timed, grid};
+use crate::stage::mesh::{FLAT, OnMesh, POINTS, Pair, PlainSecondForm, ROUNDING};
+use crate::stage::point::{Instance, Over, Pointwise};
+use regge_curvature::formulas::Formulas;
+use regge_curvature::hinge::Hinge;
+use regge_curvature::scalar::Algebraic;
+
+/// (Gω)_dist = 0 when N = 2.
+pub struct M07;
+
+impl OnMesh for M07 {
+    const RECORD: Record = Record {
+        label: "M07",
+        paper: &["def:distein"],
+        title: "The distributional Einstein tensor of a surface vanishes",
+        statement: r"N=2:\qquad (G\omega)_{\rm dist}(g)=0,\ \text{each of its three sums for itself}",
+        sides: "Left: each sum of the production a_h; exactly, what is integrated there. Right: nothing.",
+    };
+    const JUDGEMENT: Judgement = ROUNDING;
+    const DIMENSIONS: &'static [usize] = &[2];
+
+    fn settings(_: usize, quick: bool) -> Vec<Setting> {
+        use Shape::{Alfeld, Cube, Sphere, Torus};
+        let shapes = [Alfeld, Cube(2), Torus(3), Sphere];
+        grid(&shapes, &[4, 4, 4], if quick { 1 } else { 6 })
+    }
+
+    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        let pair = Pair::<N>::draw(at, draw);
+        let (a, plain) = (pair.a::<K>(), pair.a::<PlainSecondForm>());
+        let flat = at.degree == 0;
+        // R and Θ of size 1 times σ of size 1: what cancels.
+        let size = 1.0;
+        vec![
+            Equation::new("∫⟨G,σ⟩vω")
+                .left("Σ_T", a.t)
+                .vanishes(true, "G = 0")
+                .magnitude(size),
+            Equation::new("∫⟨⟦II‾⟧,σ⟩vω_F")
+                .left("Σ_F", a.f)
+                .vanishes(true, "II‾ = II − Hg = 0 on a curve")
+                .magnitude(size)
+                .forge("II for II‾", "Σ_F", plain.f)
+                .vacuous(flat, FLAT),
+            Equation::new("∫Θ Tr(σ|_S)v")
+                .left("Σ_S", a.s)
+                .vanishes(true, POINTS)
+                .magnitude(size),
+        ]
+    }
+}
+
+/// At a point G = 0, II‾ = 0 and σ|_S = 0.
+impl Pointwise for M07 {
+    const RECORD: Record = <Self as OnMesh>::RECORD;
+    const DIMENSIONS: &'static [usize] = &[2];
+    const OVER: Over = Over::Integers;
+    const ROOTS: u32 = 4;
+
+    fn equations<K: Formulas, S: Timed, const N: usize>(
+        i: &Instance<S, N>,
+    ) -> Vec<Equation<S::Base>> {
+        let (still, scene, sigma) = (i.still(), i.scene::<K>(), i.sigma0());
+        let base = still.lower();
+        let (omega, omega_f) = (base.det.sqrt(), scene.face.omega);
+        let reversed = scene.face.trace_reversed::<K>(&base);
+        let hinge = Hinge::new(&base.inverse, [&i.nu().map(|x| x.value), &i.nu_bar]);
+        vec![
+            Equation::new("⟨G,σ⟩ω")
+                .left("⟨G,σ⟩ω", base.inner(&still.einstein(), &sigma) * omega)
+                .vanishes(true, "G = 0")
+                .forge(
+                    "Ric for G",
+                    "⟨G,σ⟩ω",
+                    base.inner(&still.ricci(), &sigma) * omega,
+                ),
+            Equation::new("⟨II‾,σ⟩ω_F")
+                .left(
+                    "⟨II‾,σ⟩ω_F",
+                    scene.face.normal.inner(&reversed, &sigma) * omega_f,
+                )
+                .vanishes(true, "II‾ = II − Hg = 0 on a curve")
+                .forge("II for II‾", "⟨II‾,σ⟩ω_F", scene.ii_sigma * omega_f),
+            Equation::new("Tr(σ|_S)")
+                .left("Tr(σ|_S)", hinge.trace(&base.inverse, &sigma))
+                .vanishes(true, "S is a point")
+                .forge("Tr σ", "Tr(σ|_S)", base.trace(&sigma)),
+        ]
+    }
+}

@@ -1,0 +1,81 @@
+//! Where a claim on meshes is tried: meshes, degrees, orders of quadrature, by name. The floor above makes the meshes.
+
+/// A mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// One simplex.
+    Single,
+    /// One simplex cut at its barycentre: a boundary, one interior vertex, obtuse dihedral angles.
+    Alfeld,
+    /// (−1, 1)^N with this many cubes a side, inner vertices moved.
+    Cube(usize),
+    /// The flat torus with this many cubes a side.
+    Torus(usize),
+    /// ∂Δ^{N+1}.
+    Sphere,
+    /// The mesh of a reference case, by its number.
+    Oracle(usize),
+}
+
+impl Shape {
+    /// How large it is, roughly: meshes of one dimension in the order of their numbers of cells.
+    fn size(self) -> usize {
+        match self {
+            Self::Single => 0,
+            Self::Alfeld => 1,
+            Self::Sphere => 2,
+            Self::Cube(side) | Self::Torus(side) => 2 + side,
+            Self::Oracle(number) => number,
+        }
+    }
+
+    /// Without boundary?
+    pub fn is_closed(self) -> bool {
+        matches!(self, Self::Torus(_) | Self::Sphere)
+    }
+}
+
+/// One case: a mesh, the degree r of the fields, the order of the quadrature.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The mesh.
+    pub shape: Shape,
+    /// r.
+    pub degree: usize,
+    /// Exactness of the rules on cells, faces and hinges.
+    pub order: usize,
+    /// The degree of the test functions.
+    pub test: usize,
+    /// Which of a few: of formulas or interpolants, where a claim has them; else which repetition.
+    pub pick: usize,
+}
+
+impl Setting {
+    /// With test functions of degree 2.
+    pub const fn new(shape: Shape, degree: usize, order: usize) -> Self {
+        Self {
+            shape,
+            degree,
+            order,
+            test: 2,
+            pick: 0,
+        }
+    }
+
+    /// The simplest case first: by degree, then by the size of the mesh.
+    pub(in crate::harness) fn complexity(&self) -> (usize, usize) {
+        (self.degree, self.shape.size())
+    }
+}
+
+/// Every shape with every degree, lowest degree first, `orders[r]` for degree r; each `times` times.
+pub fn grid(shapes: &[Shape], orders: &[usize], times: usize) -> Vec<Setting> {
+    let mut all = Vec::new();
+    for (degree, order) in orders.iter().enumerate() {
+        for shape in shapes {
+            let at = Setting::new(*shape, degree, *order);
+            all.extend((0..times).map(|pick| Setting { pick, ..at }));
+        }
+    }
+    all
+}

@@ -1,0 +1,97 @@
+//! Checks whose cases are lists of random numbers of one length: claims that hold at a point, and exact integrals.
+
+use super::Cases;
+use crate::harness::case::Key;
+use crate::harness::equation::Equation;
+use crate::harness::judgement::Judgement;
+use crate::harness::scalar::Ground;
+use crate::harness::tally::{Case, Tally};
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::TestRunner;
+
+/// Equations between things that are made of random numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct OnNumbers<B> {
+    /// How the residuals are judged.
+    pub judgement: Judgement,
+    /// How many cases there are.
+    pub cases: Cases,
+    /// How many numbers make a case.
+    pub count: usize,
+    /// The equations of the case with these numbers.
+    pub equations: fn(&[B]) -> Vec<Equation<B>>,
+    /// Is a failing case tried again with fewer numbers? Not where each try takes seconds.
+    pub shrinks: bool,
+}
+
+/// A case whose roots all exist.
+struct Drawn<B> {
+    equations: Vec<Equation<B>>,
+    numbers: Vec<B>,
+    /// How many draws before it lacked a root.
+    spoilt: usize,
+}
+
+impl<B: Ground> OnNumbers<B> {
+    /// Does so many cases, each with randomness of its own.
+    pub(super) fn run(&self, first: Key<'_>, cases: usize) -> Tally {
+        let mut tally = Tally::new(self.judgement);
+        for number in 0..cases {
+            let case = Case {
+                number,
+                ..Case::default()
+            };
+            let key = Key {
+                case: number,
+                ..first
+            };
+            let Some(drawn) = self.draw(&mut key.runner()) else {
+                let what = "no draw had all the roots that the claim takes";
+                tally.fail(&case, what.to_owned());
+                break;
+            };
+            tally.redrawn(drawn.spoilt);
+            if !tally.add(&case, &drawn.equations) {
+                if self.shrinks {
+                    tally.shrunk(self.shrink(drawn.numbers));
+                }
+                break;
+            }
+        }
+        tally
+    }
+
+    /// Draws until all roots exist. None if they never do.
+    fn draw(&self, runner: &mut TestRunner) -> Option<Drawn<B>> {
+        let strategy = proptest::collection::vec(B::number(), self.count);
+        for spoilt in 0..=B::REDRAWS {
+            let tree = strategy.new_tree(runner);
+            let numbers = tree.expect("a list of one length is drawn").current();
+            let equations = (self.equations)(&numbers);
+            if B::REDRAWS == 0 || !equations.iter().any(Equation::is_poisoned) {
+                return Some(Drawn {
+                    equations,
+                    numbers,
+                    spoilt,
+                });
+            }
+        }
+        None
+    }
+
+    /// Sets every number to zero that the failure does not need, one after the other: a thousand numbers become a
+    /// handful, which proptest's own search does not reach in reasonable time.
+    fn shrink(&self, mut numbers: Vec<B>) -> Vec<String> {
+        for k in 0..numbers.len() {
+            let kept = std::mem::replace(&mut numbers[k], B::zero());
+            let equations = (self.equations)(&numbers);
+            let usable = !equations.iter().any(Equation::is_poisoned);
+            let holds = || Tally::new(self.judgement).add(&Case::default(), &equations);
+            if !usable || holds() {
+                numbers[k] = kept;
+            }
+        }
+        let nonzero = numbers.iter().enumerate().filter(|(_, x)| **x != B::zero());
+        nonzero.map(|(k, x)| format!("#{k} = {x:?}")).collect()
+    }
+}

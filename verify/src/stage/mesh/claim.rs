@@ -1,0 +1,44 @@
+//! Claims about fields on a mesh.
+
+use crate::harness::{
+    Check, Draw, Equation, Excuses, Judgement, Kind, Method, OnMeshes, Record, Setting, has,
+};
+use regge_curvature::formulas::Formulas;
+
+/// A statement about fields on a mesh.
+pub trait OnMesh: 'static {
+    /// What the page says.
+    const RECORD: Record;
+    /// How.
+    const METHOD: Method = Method::Ad;
+    /// How the residuals are judged.
+    const JUDGEMENT: Judgement;
+    /// Where it is meaningful.
+    const DIMENSIONS: &'static [usize] = &[2, 3, 4];
+    /// Why there is one method only, or why there are few cases.
+    const EXCUSES: Excuses = Excuses::NONE;
+
+    /// The cases in one of these dimensions. The harness runs the simplest first.
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting>;
+
+    /// The equations of one case.
+    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>>;
+}
+
+/// Adds a claim in dimension N, if it is meaningful there. The condition is a constant, so that nothing is compiled for
+/// dimensions that a claim does not have.
+pub fn add<C: OnMesh, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
+    if const { has(C::DIMENSIONS, N) } {
+        all.push(Check {
+            record: &C::RECORD,
+            dimension: N,
+            method: C::METHOD,
+            excuses: C::EXCUSES,
+            kind: Kind::Mesh(OnMeshes {
+                judgement: C::JUDGEMENT,
+                settings: C::settings,
+                equations: C::equations::<K, N>,
+            }),
+        });
+    }
+}

@@ -1,0 +1,123 @@
+//! Claims that hold at a point: one body for floating point numbers and for the prime field.
+
+use super::instance::Instance;
+use crate::exact::Fp;
+use crate::harness::{
+    Cases, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record, Timed, has,
+};
+use num_dual::Dual64;
+use regge_curvature::formulas::Formulas;
+use regge_curvature::jet::Jet1;
+
+/// The scalars that a pointwise claim runs over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// Floating point numbers with derivatives, and the prime field.
+    Both,
+    /// The same; in floating point numbers it is an oracle, a formula with a source outside this project.
+    Oracle,
+    /// Integers only: over the prime field.
+    Integers,
+    /// Inequalities (see [`Equation::at_most`]): not over a field without order.
+    Ordered,
+}
+
+/// One statement that holds at every point, for any jets of the metric.
+///
+/// The body is written once. Over `Dual64` it differentiates in time through the library's own code; over
+/// `Jet1<Fp, 1>` the same code is exact. Formulas that the paper states go through `K`.
+pub trait Pointwise: 'static {
+    /// What the page says.
+    const RECORD: Record;
+    /// Where it is meaningful.
+    const DIMENSIONS: &'static [usize] = &[2, 3, 4, 5];
+    /// |left − right| over the sum of the terms' magnitudes. Terms are sums of up to N⁴ products through g⁻¹ and
+    /// ∂g⁻¹; the instances' condition numbers are below 10², so that rounding is amplified by less than 10⁴.
+    const TOLERANCE: f64 = 1e-11;
+    /// How many roots the body takes, of volumes, normals and frames.
+    const ROOTS: u32 = 3;
+    /// By which scalars.
+    const OVER: Over = Over::Both;
+    /// Why there is one method only.
+    const EXCUSES: Excuses = Excuses::NONE;
+
+    /// The equations at one instance.
+    fn equations<K: Formulas, S: Timed, const N: usize>(
+        i: &Instance<S, N>,
+    ) -> Vec<Equation<S::Base>>;
+}
+
+/// A bound of the degree of a claim in the instance's numbers, cleared of denominators and roots.
+///
+/// g has degree 2 in the numbers drawn, so that det g and the numerators of g⁻¹ have degree ≤ 2N. A term of a
+/// claim contains g⁻¹ at most ten times and twenty other factors of degree ≤ 2, its rate of change no more than
+/// twice as much: the degree is ≤ 2 · (10 · 2N + 20 · 2) · 4 when both sides are brought to one denominator. Each
+/// square root doubles the degree (the product over its two signs), and the draws that have the root are half of
+/// all draws, which doubles the chance once more.
+fn degree_bound(dimension: usize, roots: u32) -> f64 {
+    f64::from(8 * (20 * dimension as u32 + 40)) * 4f64.powi(roots as i32)
+}
+
+/// So many instances in each of four dimensions.
+const REAL: Cases = Cases { full: 24, quick: 6 };
+/// The same over the field, where one instance is proof enough.
+const EXACT: Cases = Cases { full: 8, quick: 4 };
+
+/// A claim in one or two dimensions has as many instances as one in four.
+fn over_all(cases: Cases, dimensions: &[usize]) -> Cases {
+    let times = 4 / dimensions.len().min(4);
+    Cases {
+        full: cases.full * times,
+        quick: cases.quick * times,
+    }
+}
+
+/// Adds a claim in dimension N by both methods, as far as it is meaningful there.
+///
+/// The conditions are constants, so that nothing is compiled for dimensions and scalars that a claim does not have.
+pub fn add<C: Pointwise, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
+    if const { has(C::DIMENSIONS, N) && !matches!(C::OVER, Over::Integers) } {
+        let method = match C::OVER {
+            Over::Oracle => Method::Oracle,
+            _ => Method::Ad,
+        };
+        let judgement = match C::OVER {
+            Over::Ordered => Judgement::Bound,
+            _ => Judgement::Rounding {
+                tolerance: C::TOLERANCE,
+            },
+        };
+        let check = on_numbers::<C, K, Dual64, N>(REAL, judgement);
+        all.push(of_claim::<C>(N, method, Kind::Real(check)));
+    }
+    if const { has(C::DIMENSIONS, N) && !matches!(C::OVER, Over::Ordered) } {
+        let judgement = Judgement::Exact {
+            degree: degree_bound(N, C::ROOTS),
+        };
+        let check = on_numbers::<C, K, Jet1<Fp, 1>, N>(EXACT, judgement);
+        all.push(of_claim::<C>(N, Method::Exact, Kind::Exact(check)));
+    }
+}
+
+fn of_claim<C: Pointwise>(dimension: usize, method: Method, kind: Kind) -> Check {
+    Check {
+        record: &C::RECORD,
+        dimension,
+        method,
+        excuses: C::EXCUSES,
+        kind,
+    }
+}
+
+fn on_numbers<C: Pointwise, K: Formulas, S: Timed, const N: usize>(
+    cases: Cases,
+    judgement: Judgement,
+) -> OnNumbers<S::Base> {
+    OnNumbers {
+        judgement,
+        cases: over_all(cases, C::DIMENSIONS),
+        count: Instance::<S, N>::count(),
+        equations: |numbers| C::equations::<K, S, N>(&Instance::from_numbers(numbers)),
+        shrinks: true,
+    }
+}

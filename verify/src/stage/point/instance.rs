@@ -1,0 +1,153 @@
+//! The instance itself.
+
+use super::draw::{self, Source, vary2};
+use crate::harness::Timed;
+use regge_curvature::jet::{Jet1, Jet2, lower};
+use regge_curvature::linalg::{Mat, Vector, contract};
+use regge_curvature::riemann::{Connection, differential};
+use regge_curvature::scalar::Field;
+
+/// All that a pointwise claim may need, at one point and time.
+#[derive(Clone, Debug)]
+pub struct Instance<S: Timed, const N: usize> {
+    /// g at this time.
+    pub g: Mat<Jet2<S::Base, N>, N>,
+    /// σ = ∂g/∂t.
+    pub sigma: Mat<Jet2<S::Base, N>, N>,
+    /// g + t σ.
+    pub moving_g: Mat<Jet2<S, N>, N>,
+    /// Two time-dependent vector fields, upper index.
+    pub fields: [Vector<Jet1<S, N>, N>; 2],
+    /// A function v.
+    pub v: Jet2<S::Base, N>,
+    /// A one-form.
+    pub alpha: Vector<Jet1<S::Base, N>, N>,
+    /// The level function of the hypersurface F = {φ = 0}.
+    pub phi: Jet2<S::Base, N>,
+    /// A second covector: the other face of a hinge.
+    pub nu_bar: Vector<S::Base, N>,
+    /// A rate of change of dφ, for a hypersurface that moves (which the paper excludes).
+    pub nu_rate: Vector<S::Base, N>,
+    /// N−1 time-dependent vector fields, no combination of which is nearly normal to F: a frame of F is made
+    /// from them.
+    pub seeds: Vec<Vector<Jet1<S, N>, N>>,
+    /// Another metric.
+    pub other: Mat<Jet1<S::Base, N>, N>,
+    /// More numbers.
+    pub spare: [S::Base; 12],
+}
+
+impl<S: Timed, const N: usize> Instance<S, N> {
+    /// How many numbers make an instance.
+    pub fn count() -> usize {
+        let mut source = Source::counting();
+        Self::draw(&mut source);
+        source.taken()
+    }
+
+    /// The instance made of these numbers, [`Instance::count`] of them.
+    #[inline(never)]
+    pub fn from_numbers(numbers: &[S::Base]) -> Self {
+        Self::draw(&mut Source::new(numbers))
+    }
+
+    fn draw(source: &mut Source<'_, S::Base>) -> Self {
+        let g: Mat<Jet2<S::Base, N>, N> = draw::metric(source);
+        let sigma = draw::tensor(source);
+        let moving_g = g.zip_map(&sigma, vary2::<S, N>);
+        let phi: Jet2<S::Base, N> = draw::level_function(source);
+        Self {
+            g,
+            sigma,
+            moving_g,
+            phi,
+            fields: [draw::field(source), draw::field(source)],
+            v: source.jet2(),
+            alpha: Vector::from_fn(|_, _| source.jet1()),
+            nu_bar: draw::other_face(source, &phi),
+            nu_rate: Vector::from_fn(|_, _| source.next()),
+            seeds: draw::transversal(source, &phi),
+            other: lower(&draw::metric(source)),
+            spare: std::array::from_fn(|_| source.next()),
+        }
+    }
+
+    /// The connection of g + t σ, with first x-derivatives.
+    #[inline(never)]
+    pub fn moving(&self) -> Connection<Jet1<S, N>, N> {
+        Connection::new(&self.moving_g)
+    }
+
+    /// The connection of g, with first x-derivatives.
+    #[inline(never)]
+    pub fn still(&self) -> Connection<Jet1<S::Base, N>, N> {
+        Connection::new(&self.g)
+    }
+
+    /// The connection of g + t σ.
+    #[inline(never)]
+    pub fn moving0(&self) -> Connection<S, N> {
+        Connection::new(&lower(&self.moving_g))
+    }
+
+    /// The connection of g.
+    #[inline(never)]
+    pub fn still0(&self) -> Connection<S::Base, N> {
+        Connection::new(&lower(&self.g))
+    }
+
+    /// A point of ℝ^N.
+    pub fn position(&self) -> [S::Base; N] {
+        std::array::from_fn(|k| self.spare[k])
+    }
+
+    /// σ with first derivatives.
+    pub fn sigma1(&self) -> Mat<Jet1<S::Base, N>, N> {
+        lower(&self.sigma)
+    }
+
+    /// σ.
+    pub fn sigma0(&self) -> Mat<S::Base, N> {
+        lower(&self.sigma1())
+    }
+
+    /// ν = dφ, which is a covector field along a curved hypersurface.
+    pub fn nu(&self) -> Vector<Jet1<S::Base, N>, N> {
+        differential(&self.phi)
+    }
+
+    /// ν with its derivatives forgotten: that of a plane.
+    pub fn flat_nu(&self) -> Vector<Jet1<S::Base, N>, N> {
+        self.nu().map(|x| Jet1::constant(x.value))
+    }
+}
+
+/// A constant in time, with its x-derivatives.
+pub fn still_jet<S: Timed, const N: usize>(jet: Jet1<S::Base, N>) -> Jet1<S, N> {
+    jet.map(S::fixed)
+}
+
+/// Σ_i f(τ_i).
+pub fn sum<B: Field, X>(items: &[X], f: impl Fn(&X) -> B) -> B {
+    let mut sum = B::zero();
+    for x in items {
+        sum += f(x);
+    }
+    sum
+}
+
+/// ∇_X Y, from `[(m, k)]` = (∇_m Y)^k.
+pub fn along<F: Field, const N: usize>(nabla: &Mat<F, N>, x: &Vector<F, N>) -> Vector<F, N> {
+    Vector::from_fn(|k, _| {
+        let mut sum = F::zero();
+        for m in 0..N {
+            sum += x[m] * nabla[(m, k)];
+        }
+        sum
+    })
+}
+
+/// ∇_X f = Xᵐ ∂_m f.
+pub fn derivative<F: Field, const N: usize>(f: &Jet1<F, N>, x: &Vector<F, N>) -> F {
+    contract(&differential(f), x)
+}

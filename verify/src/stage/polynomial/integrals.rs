@@ -1,0 +1,192 @@
+//! Densities at points, and their exact integrals over cells, faces and hinges.
+
+use super::fields::{Domain, Fields, Point};
+use crate::exact::{Fp, on_simplex};
+use crate::stage::point::{Face, reversed};
+use regge_curvature::formulas::Formulas;
+use regge_curvature::hinge::Hinge;
+use regge_curvature::hypersurface::{Normal, outward, surface_div};
+use regge_curvature::jet::{Jet, Jet1, lower, lower_vector};
+use regge_curvature::linalg::{apply, contract, form};
+use regge_curvature::riemann::differential;
+use regge_curvature::scalar::{Algebraic, Field};
+use std::marker::PhantomData;
+
+/// What is integrated over a cell.
+struct OnCell {
+    div_div: Fp,
+    hessian: Fp,
+    div_gradient: Fp,
+}
+
+/// What is integrated over a face, ω_F included, as one cell sees it.
+pub struct OnFace {
+    /// (div 𝕊σ)(n) v.
+    pub div_s: Fp,
+    /// div_F(σ(n,·)) v.
+    pub div_f: Fp,
+    /// div_F(vσ(n,·)).
+    pub div_f_v: Fp,
+    /// Hσ(n,n) v.
+    pub h_nn: Fp,
+    /// 𝕊σ(n,n).
+    pub s_nn: Fp,
+    /// ∇_n v ω_F.
+    pub along_n: Fp,
+    /// 𝕊σ(n,∇v).
+    pub gradient: Fp,
+}
+
+/// One draw on one domain, by the formulas K.
+pub struct Exactly<K, const N: usize> {
+    fields: Fields<N>,
+    domain: Domain<N>,
+    formulas: PhantomData<K>,
+}
+
+impl<K: Formulas, const N: usize> Exactly<K, N> {
+    /// On one simplex.
+    pub fn on_single(numbers: &[Fp]) -> Self {
+        Self::new(numbers, Domain::single())
+    }
+
+    /// On a simplex cut at an inner point.
+    pub fn on_cut(numbers: &[Fp]) -> Self {
+        Self::new(numbers, Domain::cut())
+    }
+
+    fn new(numbers: &[Fp], domain: Domain<N>) -> Self {
+        let numbers = numbers.to_vec();
+        Self {
+            fields: Fields { numbers },
+            domain,
+            formulas: PhantomData,
+        }
+    }
+
+    /// How many cells the domain has.
+    pub fn cell_count(&self) -> usize {
+        self.domain.cells.len()
+    }
+
+    fn point(&self, cell: usize, vertices: &[usize], lambda: &[Fp]) -> Point<N> {
+        self.fields.at(&self.domain, cell, vertices, lambda)
+    }
+
+    fn cell(&self, cell: usize, lambda: &[Fp]) -> OnCell {
+        let all: Vec<usize> = (0..=N).collect();
+        let p = self.point(cell, &all, lambda);
+        let base = p.still.lower();
+        let omega = base.det.sqrt();
+        let s_sigma = K::reverse_trace(&p.g, &p.inverse, &p.sigma);
+        let flux = base.sharp(&base.div_tensor(&lower(&s_sigma)));
+        let dv = lower_vector(&differential(&p.v));
+        OnCell {
+            div_div: omega * p.still.div_div(&s_sigma) * p.v.value,
+            hessian: omega * base.inner(&lower(&lower(&s_sigma)), &base.hessian(&p.v)),
+            div_gradient: omega * contract(&dv, &flux),
+        }
+    }
+
+    /// What is integrated over the face of a cell opposite to a vertex, at a point of it.
+    pub fn face(&self, cell: usize, opposite: usize, lambda: &[Fp]) -> OnFace {
+        let vertices: Vec<usize> = (0..=N).filter(|v| *v != opposite).collect();
+        let p = self.point(cell, &vertices, lambda);
+        let (base, nu) = (p.still.lower(), outward::<Jet1<Fp, N>, N>(opposite));
+        let face = Face::new::<K>(&base, &nu);
+        let (sigma, n) = (lower(&p.sigma), face.normal.n);
+        let s_sigma = reversed::<K, Fp, N>(&p.still, &sigma);
+        let s_value = lower(&s_sigma);
+        let flux = apply(&sigma, &Normal::new(&p.still.inverse, &nu).n);
+        let v: Jet1<Fp, N> = p.v.lower();
+        let dv = lower_vector(&differential(&p.v));
+        let div_f = |flux| surface_div(&base, &face.normal, flux) * face.omega;
+        OnFace {
+            div_s: contract(&base.div_tensor(&s_sigma), &n) * v.value * face.omega,
+            div_f: div_f(&flux) * v.value,
+            div_f_v: div_f(&flux.map(|x| x * v)),
+            h_nn: face.h * face.normal.normal_normal(&lower(&sigma)) * v.value * face.omega,
+            s_nn: face.normal.normal_normal(&s_value),
+            along_n: contract(&dv, &n) * face.omega,
+            gradient: form(&s_value, &n, &base.sharp(&dv)) * face.omega,
+        }
+    }
+
+    /// σ(n,τ) v ω_S, τ pointing into the face, for the two faces of a cell at a hinge.
+    pub fn hinge(&self, cell: usize, opposite: [usize; 2], lambda: &[Fp]) -> [Fp; 2] {
+        let vertices: Vec<usize> = (0..=N).filter(|v| !opposite.contains(v)).collect();
+        let p = self.point(cell, &vertices, lambda);
+        let nu = opposite.map(outward::<Fp, N>);
+        let hinge = Hinge::new(&p.inverse.map(|x| x.value), [&nu[0], &nu[1]]);
+        let (sigma, omega) = (lower(&lower(&p.sigma)), hinge.omega_s(p.still.det.value));
+        [0, 1].map(|f| form(&sigma, &hinge.normal(f), &hinge.conormal(f)) * omega * p.v.value)
+    }
+
+    /// ∫ of several densities over a cell, face or hinge. Points where one of them does not exist are avoided.
+    pub fn integral<const M: usize>(
+        &self,
+        k: usize,
+        densities: &dyn Fn(&[Fp]) -> [Fp; M],
+    ) -> [Fp; M] {
+        let mut sums = [Fp::zero(); M];
+        let usable = |lambda: &[Fp]| k == N || !poisoned(&densities(lambda));
+        if !(0..TRIED).any(|i| usable(&somewhere(k, i))) {
+            return [Fp::POISON; M];
+        }
+        on_simplex(k, self.domain.degree(), &usable, &mut |lambda, w| {
+            for (sum, x) in sums.iter_mut().zip(densities(lambda)) {
+                *sum += w * x;
+            }
+        });
+        sums
+    }
+
+    /// ∫(div div 𝕊σ)v, ∫⟨𝕊σ,∇∇v⟩, ∫(div 𝕊σ)(∇v) over all cells.
+    pub fn cells(&self) -> [Fp; 3] {
+        let of = |cell: usize| {
+            self.integral(N, &|lambda| {
+                let p = self.cell(cell, lambda);
+                [p.div_div, p.hessian, p.div_gradient]
+            })
+        };
+        (0..self.cell_count()).map(of).fold([Fp::zero(); 3], add_up)
+    }
+
+    /// Densities over the faces of the only cell.
+    pub fn faces<const M: usize>(&self, q: fn(&OnFace) -> [Fp; M]) -> [Fp; M] {
+        let of = |f: usize| self.integral(N - 1, &|lambda| q(&self.face(0, f, lambda)));
+        let mut sums = [Fp::zero(); M];
+        for f in 0..=N {
+            if !poisoned(&sums) {
+                sums = add_up(sums, of(f));
+            }
+        }
+        sums
+    }
+}
+
+/// At so many points of a face or hinge a root is looked for. It is at half of them if it is at any.
+const TRIED: i64 = 40;
+
+/// Points of a k-simplex.
+fn somewhere(k: usize, i: i64) -> Vec<Fp> {
+    let mut lambda: Vec<Fp> = (1..=k as i64)
+        .map(|j| Fp::from_int(i + j * j + 2))
+        .collect();
+    let sum = lambda.iter().fold(Fp::zero(), |sum, x| sum + *x);
+    lambda.push(Fp::one() - sum);
+    lambda
+}
+
+/// Component by component.
+pub fn add_up<const M: usize>(mut a: [Fp; M], b: [Fp; M]) -> [Fp; M] {
+    for (x, y) in a.iter_mut().zip(b) {
+        *x += y;
+    }
+    a
+}
+
+/// Does nothing exist to be compared?
+pub fn poisoned<const M: usize>(all: &[Fp; M]) -> bool {
+    all.iter().any(|x| x.is_poison())
+}
