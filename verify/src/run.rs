@@ -4,6 +4,7 @@ use crate::claims::{Catalogue, catalogue};
 use crate::harness::{Budget, Check, Entry};
 use crate::report::Report;
 use rayon::prelude::*;
+use regge_curvature::formulas::{Formulas, PAPER};
 use std::fmt;
 
 /// What to run.
@@ -17,6 +18,8 @@ pub struct Options {
     pub seed: u64,
     /// Fewer instances.
     pub quick: bool,
+    /// By which formulas the library computes: the paper's, unless a sceptic breaks one.
+    pub formulas: Formulas,
 }
 
 impl Default for Options {
@@ -27,6 +30,7 @@ impl Default for Options {
             dimension: None,
             seed: 20_261_122,
             quick: false,
+            formulas: PAPER,
         }
     }
 }

@@ -39,7 +39,6 @@ mod variation;
 pub(crate) use einstein::second_variation;
 
 use crate::harness::{Check, Record};
-use regge_curvature::formulas::{Formulas, Paper};
 
 /// The claims of the catalogue, in its order.
 pub type Catalogue = Vec<Check>;
@@ -47,17 +46,17 @@ pub type Catalogue = Vec<Check>;
 /// All of them, by the formulas of the paper.
 pub fn catalogue() -> Catalogue {
     let mut all = Catalogue::new();
-    at_a_point::<Paper, 2>(&mut all);
+    at_a_point::<2>(&mut all);
     // The unit tests of this crate do not run the catalogue: they are spared the compilation of the rest.
     #[cfg(not(test))]
     {
-        at_a_point::<Paper, 3>(&mut all);
-        at_a_point::<Paper, 4>(&mut all);
-        at_a_point::<Paper, 5>(&mut all);
-        exactly::<Paper>(&mut all);
-        on_meshes::<Paper, 2>(&mut all);
-        on_meshes::<Paper, 3>(&mut all);
-        on_meshes::<Paper, 4>(&mut all);
+        at_a_point::<3>(&mut all);
+        at_a_point::<4>(&mut all);
+        at_a_point::<5>(&mut all);
+        exactly(&mut all);
+        on_meshes::<2>(&mut all);
+        on_meshes::<3>(&mut all);
+        on_meshes::<4>(&mut all);
     }
     // Row by row; the dimensions and methods of one claim stay together.
     all.sort_by_key(|c| c.record.label);
@@ -71,27 +70,27 @@ pub fn records() -> Vec<&'static Record> {
     records
 }
 
-/// Adds the claims that hold at a point, in dimension N, by the formulas K.
-pub fn at_a_point<K: Formulas, const N: usize>(all: &mut Catalogue) {
-    conventions::at_a_point::<K, N>(all);
-    evolution::at_a_point::<K, N>(all);
-    functional::at_a_point::<K, N>(all);
-    einstein::at_a_point::<K, N>(all);
-    estimates::at_a_point::<K, N>(all);
-    numerical::at_a_point::<K, N>(all);
+/// Adds the claims that hold at a point, in dimension N.
+pub fn at_a_point<const N: usize>(all: &mut Catalogue) {
+    conventions::at_a_point::<N>(all);
+    evolution::at_a_point::<N>(all);
+    functional::at_a_point::<N>(all);
+    einstein::at_a_point::<N>(all);
+    estimates::at_a_point::<N>(all);
+    numerical::at_a_point::<N>(all);
 }
 
-/// Adds the claims that are integrated exactly, by the formulas K.
-pub fn exactly<K: Formulas>(all: &mut Catalogue) {
-    by_parts::exactly::<K>(all);
+/// Adds the claims that are integrated exactly.
+pub fn exactly(all: &mut Catalogue) {
+    by_parts::exactly(all);
 }
 
-/// Adds the claims on meshes, in dimension N, by the formulas K.
-pub fn on_meshes<K: Formulas, const N: usize>(all: &mut Catalogue) {
-    functional::on_meshes::<K, N>(all);
-    by_parts::on_meshes::<K, N>(all);
-    variation::on_meshes::<K, N>(all);
-    einstein::on_meshes::<K, N>(all);
-    estimates::on_meshes::<K, N>(all);
-    numerical::on_meshes::<K, N>(all);
+/// Adds the claims on meshes, in dimension N.
+pub fn on_meshes<const N: usize>(all: &mut Catalogue) {
+    functional::on_meshes::<N>(all);
+    by_parts::on_meshes::<N>(all);
+    variation::on_meshes::<N>(all);
+    einstein::on_meshes::<N>(all);
+    estimates::on_meshes::<N>(all);
+    numerical::on_meshes::<N>(all);
 }

@@ -4,7 +4,6 @@ use crate::exact::Fp;
 use crate::harness::{Draw, Equation, Judgement, Record, Setting};
 use crate::stage::mesh::{FLAT, FaceTerms, OnMesh, Pair, QUADRATURE, Where, minus, on_one_simplex};
 use crate::stage::polynomial::{ByParts, Exactly, poisoned};
-use regge_curvature::formulas::Formulas;
 
 /// The first two integrations by parts of its proof.
 pub struct T03;
@@ -26,23 +25,23 @@ impl OnMesh for T03 {
         on_one_simplex(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let flat = at.degree == 0;
         let pair = Pair::<N>::draw(at, draw);
-        let (hessian, normal) = (pair.b::<K>().t, pair.normal_gradient::<K>());
-        let flux = |q: fn(&FaceTerms) -> f64| minus(&pair.faces::<K>(Where::Everywhere, q));
+        let (hessian, normal) = (pair.b().t, pair.normal_gradient());
+        let flux = |q: fn(&FaceTerms) -> f64| minus(&pair.faces(Where::Everywhere, q));
         vec![
             Equation::new("once")
                 .left("∫⟨𝕊σ,∇∇v⟩ω", hessian.clone())
                 .right("∫_∂T 𝕊σ(n,∇v)", normal.clone())
-                .right("−∫(div 𝕊σ)(∇v)ω", pair.div_gradient::<K>())
+                .right("−∫(div 𝕊σ)(∇v)ω", pair.div_gradient())
                 .vanishes(flat, FLAT),
             Equation::new("twice")
                 .left("∫⟨𝕊σ,∇∇v⟩ω", hessian)
                 .right("∫_∂T 𝕊σ(n,∇v)", normal)
                 .right("−∫_∂T (div 𝕊σ)(n)v", flux(|q| q.div_s))
                 .vanishes(flat, FLAT)
-                .right("∫(div div 𝕊σ)vω", pair.div_div::<K>())
+                .right("∫(div div 𝕊σ)vω", pair.div_div())
                 .vanishes(flat, FLAT)
                 .forge("div for div 𝕊", "−∫_∂T (div 𝕊σ)(n)v", flux(|q| q.div))
                 .vacuous(flat, FLAT),
@@ -54,8 +53,8 @@ impl OnMesh for T03 {
 impl ByParts for T03 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<K: Formulas, const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<K, N>::on_single(numbers);
+    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_single(numbers);
         let faces = at.faces(|q| [q.gradient, q.div_s]);
         let [div_div, hessian, inner] = if poisoned(&faces) {
             [Fp::POISON; 3]

@@ -7,7 +7,6 @@ use crate::stage::mesh::{
     on_one_simplex,
 };
 use crate::stage::polynomial::{ByParts, Exactly, add_up};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::scalar::Field;
 use regge_curvature::simplex::subsets;
 
@@ -38,9 +37,9 @@ impl OnMesh for M04 {
         everywhere(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let pair = Pair::<N>::draw(at, draw);
-        let terms = terms::<K, N>(&pair, Where::Interior);
+        let terms = terms::<N>(&pair, Where::Interior);
         let on = |tested: Tested| -> Vec<(&'static str, Vec<f64>)> {
             let all = terms.iter();
             all.map(|(n, v)| (*n, tested.of(&pair.space, v))).collect()
@@ -60,12 +59,12 @@ impl OnMesh for M04 {
 }
 
 /// The five terms, with σ's derivatives on the interior faces and hinges, or on all.
-fn terms<K: Formulas, const N: usize>(pair: &Pair<N>, on: Where) -> Vec<(&'static str, Vec<f64>)> {
-    let b = pair.b::<K>();
+fn terms<const N: usize>(pair: &Pair<N>, on: Where) -> Vec<(&'static str, Vec<f64>)> {
+    let b = pair.b();
     vec![
-        (DIV_DIV, pair.div_div::<K>()),
-        (FLUX, minus(&pair.faces::<K>(on, FaceTerms::flux))),
-        (TURN, minus(&pair.turned::<K>(on))),
+        (DIV_DIV, pair.div_div()),
+        (FLUX, minus(&pair.faces(on, FaceTerms::flux))),
+        (TURN, minus(&pair.turned(on))),
         (HESSIAN, b.t),
         (NORMAL, b.f),
     ]
@@ -107,11 +106,11 @@ impl OnMesh for T04 {
         on_one_simplex(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let pair = Pair::<N>::draw(at, draw);
-        let terms = terms::<K, N>(&pair, Where::Everywhere);
+        let terms = terms::<N>(&pair, Where::Everywhere);
         let turned = minus(&terms[2].1);
-        let without_h = pair.faces::<K>(Where::Everywhere, |q| -q.div_s - q.div_f);
+        let without_h = pair.faces(Where::Everywhere, |q| -q.div_s - q.div_f);
         vec![
             equation(terms, at.degree == 0)
                 .forge("the printed sign of τ", TURN, turned)
@@ -146,8 +145,8 @@ impl Terms {
 impl ByParts for T04 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<K: Formulas, const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<K, N>::on_single(numbers);
+    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_single(numbers);
         // The hinges first: where roots do not exist at all, the rest need not be integrated.
         let mut hinges = Fp::zero();
         for pair in subsets(N + 1, 2) {
@@ -176,14 +175,14 @@ fn other_than<const N: usize>(place: usize) -> usize {
 /// On a triangle cut into three, v a multiple of the inner vertex's hat function.
 impl M04 {
     /// The inner vertex.
-    fn hinge<K: Formulas, const N: usize>(at: &Exactly<K, N>) -> Fp {
+    fn hinge<const N: usize>(at: &Exactly<N>) -> Fp {
         let of = |cell: usize| at.hinge(cell, [1, 2], &[Fp::one()]);
         let all = (0..at.cell_count()).map(of);
         all.fold(Fp::zero(), |sum, two| sum + two[0] + two[1])
     }
 
     /// The inner edges, from the inner vertex to the corner c, from both sides; 𝕊σ(n,n) of the first for both.
-    fn inner_edge<K: Formulas, const N: usize>(at: &Exactly<K, N>, c: usize) -> [Fp; 4] {
+    fn inner_edge<const N: usize>(at: &Exactly<N>, c: usize) -> [Fp; 4] {
         let sides: Vec<(usize, usize)> = (0..=N)
             .filter(|cell| *cell != c)
             .map(|cell| {
@@ -205,7 +204,7 @@ impl M04 {
     }
 
     /// The boundary, where v vanishes and ∇v does not.
-    fn boundary<K: Formulas, const N: usize>(at: &Exactly<K, N>, cell: usize) -> [Fp; 4] {
+    fn boundary<const N: usize>(at: &Exactly<N>, cell: usize) -> [Fp; 4] {
         let normal = at.integral(N - 1, &|lambda| {
             let p = at.face(cell, 0, lambda);
             [p.s_nn * p.along_n]
@@ -217,8 +216,8 @@ impl M04 {
 impl ByParts for M04 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<K: Formulas, const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<K, N>::on_cut(numbers);
+    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_cut(numbers);
         let mut terms = Terms {
             hinges: Self::hinge(&at),
             faces: [Fp::POISON; 4],

@@ -6,7 +6,6 @@ use crate::stage::fields::{Regge, Seen, metric, points_of};
 use crate::stage::mesh::{FLAT, OnMesh, QUADRATURE, on_one_simplex, opposite, outward_of_face};
 use crate::stage::point::Face;
 use crate::stage::polynomial::{ByParts, Exactly};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::Rules;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::{outward, surface_div};
@@ -57,7 +56,7 @@ impl OneForm {
 }
 
 impl Stokes {
-    fn new<K: Formulas, const N: usize>(g: &Regge<f64, N>, rules: &Rules, alpha: &OneForm) -> Self {
+    fn new<const N: usize>(g: &Regge<f64, N>, rules: &Rules, alpha: &OneForm) -> Self {
         let mut all = Self::default();
         let on_faces = points_of::<N>(N - 1, &rules.faces);
         let seen = Seen::<f64, N, _>::new(g, N - 1, &rules.faces);
@@ -73,7 +72,7 @@ impl Stokes {
             {
                 let connection = Connection::new(&seen.jet1(side, q));
                 let nu = outward_of_face::<f64, N>(place).map(Jet1::constant);
-                let face = Face::new::<K>(&connection, &nu);
+                let face = Face::new(&connection, &nu);
                 div += w * surface_div(&connection, &face.normal, &form) * face.omega;
                 let value = form.map(|x| x.value);
                 curved += w * face.h * contract(&value, &face.normal.n) * face.omega;
@@ -131,11 +130,11 @@ impl OnMesh for T01 {
         on_one_simplex(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, at.degree);
         let g = metric(&regge, draw);
-        let sides = Stokes::new::<K, N>(&g, &Rules::new::<N>(at.order), &OneForm::new::<N>(draw));
+        let sides = Stokes::new::<N>(&g, &at.rules(N), &OneForm::new::<N>(draw));
         vec![
             Equation::new("Stokes")
                 .left("∫div_Fα ω_F", sides.div)
@@ -150,8 +149,8 @@ impl OnMesh for T01 {
 impl ByParts for T01 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<K: Formulas, const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<K, N>::on_single(numbers);
+    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_single(numbers);
         let (mut div, mut boundary, mut curved) = (Vec::new(), Vec::new(), Vec::new());
         for f in 0..=N {
             let mut outflow = Fp::zero();

@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Over, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, apply, contract, symmetric};
 use regge_curvature::riemann::{Connection, differential};
@@ -52,7 +51,7 @@ impl Pointwise for O01 {
     const OVER: Over = Over::Oracle;
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let split = N.div_ceil(2);
@@ -88,7 +87,7 @@ impl Pointwise for O02 {
     const OVER: Over = Over::Oracle;
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         // In 1…3, where the numbers have an order.
@@ -128,7 +127,7 @@ impl Pointwise for O03 {
     const OVER: Over = Over::Oracle;
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let x = i.position();

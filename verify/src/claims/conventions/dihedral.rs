@@ -2,14 +2,13 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, orthonormal};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::{Normal, outward};
 use regge_curvature::linalg::{Mat, Vector, form, inverse_and_det};
 use regge_curvature::scalar::{Algebraic, Field};
 
-/// (sin θ, cos θ), normalised, by the formulas K.
-fn normalised<K: Formulas, B: Ground, const N: usize>(hinge: &Hinge<B, N>) -> (B, B) {
+/// (sin θ, cos θ), normalised.
+fn normalised<B: Ground, const N: usize>(hinge: &Hinge<B, N>) -> (B, B) {
     let (sin, cos) = K::dihedral(hinge);
     let scale = B::one() / (sin * sin + cos * cos).sqrt();
     (sin * scale, cos * scale)
@@ -35,13 +34,13 @@ impl Pointwise for D09 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let g = i.still0().g;
         let inverse = inverse_and_det(&g).0;
         let hinge = Hinge::new(&inverse, [&outward(N), &outward(N - 1)]);
-        let (sin, cos) = normalised::<K, S::Base, N>(&hinge);
+        let (sin, cos) = normalised::<S::Base, N>(&hinge);
         // The hinge has the vertices 0…N−2; the face opposite to vertex N contains N−1, and the other way round.
         let into = |v: usize| {
             let mut edges: Vec<_> = (1..N - 1).map(edge).collect();
@@ -71,14 +70,14 @@ impl Pointwise for D09 {
                 .right("from edges", other),
         ];
         if N == 2 {
-            equations.extend(triangle::<K, S::Base, N>(&inverse));
+            equations.extend(triangle::<S::Base, N>(&inverse));
         }
         equations
     }
 }
 
 /// The angles of a flat triangle add up to π.
-fn triangle<K: Formulas, B: Ground, const N: usize>(inverse: &Mat<B, N>) -> Option<Equation<B>> {
+fn triangle<B: Ground, const N: usize>(inverse: &Mat<B, N>) -> Option<Equation<B>> {
     let angle = |a: usize, b: usize| {
         let (sin, cos) = K::dihedral(&Hinge::new(inverse, [&outward(a), &outward(b)]));
         B::angle(sin, cos)
@@ -106,7 +105,7 @@ impl Pointwise for I20 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (g, g_t) = (i.still0().g, i.other.map(|x| x.value));
@@ -114,7 +113,7 @@ impl Pointwise for I20 {
         let nu = [i.nu().map(|x| x.value), i.nu_bar];
         let n = [0, 1].map(|a| Normal::new(&inverse, &nu[a]).n);
         let d = [0, 1].map(|a| Normal::new(&inverse_t, &nu[a]).n - n[a]);
-        let cos = |inverse| normalised::<K, S::Base, N>(&Hinge::new(inverse, [&nu[0], &nu[1]])).1;
+        let cos = |inverse| normalised::<S::Base, N>(&Hinge::new(inverse, [&nu[0], &nu[1]])).1;
         vec![
             Equation::new("cos θ − cos θ̃")
                 .left("cos θ", cos(&inverse))

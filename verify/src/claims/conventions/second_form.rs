@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Face, Instance, Over, Pointwise, along, sum};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, Vector, apply, form};
 use regge_curvature::riemann::Connection;
@@ -24,10 +23,10 @@ impl Pointwise for D03 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let (base, second_form) = (&scene.base, scene.face.second_form);
         let (n, tau, tau1) = (frame.n0(), frame.tau0(), frame.tau1());
         let table = |f: &dyn Fn(usize, usize) -> S::Base| -> Vec<S::Base> {
@@ -59,15 +58,15 @@ impl Pointwise for D03 {
             Equation::new("trace")
                 .left("H", scene.face.h)
                 .right("ΣII(τ,τ)", sum(&tau, |t| form(&second_form, t, t))),
-            plane::<K, S, N>(i),
+            plane::<S, N>(i),
         ]
     }
 }
 
 /// II of a plane, from Christoffel symbols.
-fn plane<K: Formulas, S: Timed, const N: usize>(i: &Instance<S, N>) -> Equation<S::Base> {
+fn plane<S: Timed, const N: usize>(i: &Instance<S, N>) -> Equation<S::Base> {
     let base = i.still0();
-    let face = Face::new::<K>(&base, &i.flat_nu());
+    let face = Face::new(&base, &i.flat_nu());
     let nu = i.nu().map(|x| x.value);
     let christoffel = Mat::<S::Base, N>::from_fn(|a, b| {
         let mut sum = S::Base::zero();
@@ -95,7 +94,7 @@ impl Pointwise for D04 {
     };
     const OVER: Over = Over::Oracle;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let g = i.still0().g;
@@ -109,7 +108,7 @@ impl Pointwise for D04 {
         });
         let rho = form(&g, &x, &x).sqrt();
         let over = |k: usize| S::Base::from_int(k as i64) / rho;
-        let face = Face::new::<K>(&connection, &nu);
+        let face = Face::new(&connection, &nu);
         vec![
             Equation::new("H")
                 .left("H", face.h)
@@ -118,7 +117,7 @@ impl Pointwise for D04 {
                 .forge(
                     "inward n",
                     "H",
-                    Face::new::<K>(&connection, &nu.map(|x| -x)).h,
+                    Face::new(&connection, &nu.map(|x| -x)).h,
                 ),
         ]
     }
@@ -138,12 +137,12 @@ impl Pointwise for D07 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let scene = i.scene::<K>();
+        let scene = i.scene();
         let tau = i.frame().tau0();
-        let reversed = scene.face.trace_reversed::<K>(&scene.base);
+        let reversed = scene.face.trace_reversed(&scene.base);
         let h = scene.face.h;
         let times = |k: usize| S::Base::from_int(-(k as i64)) * h;
         vec![
@@ -174,12 +173,12 @@ impl Pointwise for D08 {
     };
     const ROOTS: u32 = 4;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (plus, minus) = (i.still0(), Connection::new(&i.other));
         let (nu, opposite) = (i.nu(), i.nu().map(|x| -x));
-        let form = |c: &Connection<S::Base, N>, nu| Face::new::<K>(c, nu).second_form;
+        let form = |c: &Connection<S::Base, N>, nu| Face::new(c, nu).second_form;
         let (here, there) = (form(&plus, &nu), form(&minus, &opposite));
         vec![
             Equation::new("jump")

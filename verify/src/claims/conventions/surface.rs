@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, derivative, orthonormal, sum};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hypersurface::{Normal, surface_div};
 use regge_curvature::jet::{Jet1, lower_vector};
 use regge_curvature::linalg::{Vector, apply, contract, form};
@@ -22,7 +21,7 @@ impl Pointwise for D05 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
@@ -66,7 +65,7 @@ impl Pointwise for D06 {
     };
     const ROOTS: u32 = 10;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
@@ -114,10 +113,10 @@ impl Pointwise for T02 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let scene = i.scene::<K>();
+        let scene = i.scene();
         let normal = &scene.face.normal;
         let dv = lower_vector(&differential(&i.v));
         let gradient = apply(&normal.tangential, &dv);

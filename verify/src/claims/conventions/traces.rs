@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Vector, identity, inverse_and_det, symmetric};
 use regge_curvature::riemann::{differential, trace};
@@ -23,7 +22,7 @@ impl Pointwise for D01 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (still, sigma) = (i.still(), i.sigma0());
@@ -72,7 +71,7 @@ impl Pointwise for D02 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
@@ -109,7 +108,7 @@ impl Pointwise for I09 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());

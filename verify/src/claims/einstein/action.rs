@@ -4,8 +4,7 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, 
 use crate::stage::fields::metric;
 use crate::stage::mesh::{OnMesh, ROUNDING, minus, times};
 use crate::stage::reference::{against_hats, case_of, cases, hinges};
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{Rules, distributional_curvature_with};
+use regge_curvature::functional::{Rules, distributional_curvature};
 use regge_curvature::mesh::Mesh;
 use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
@@ -28,12 +27,12 @@ impl OnMesh for M14 {
         grid(&[Shape::Alfeld, Shape::Sphere], &[2], times)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, 0);
         let g = metric(&regge, draw);
         let hats = Lagrange::new(&mesh, 1);
-        let sums = distributional_curvature_with::<K, f64, N, _>(&g, &hats, &Rules::new::<N>(2));
+        let sums = distributional_curvature(&g, &hats, &Rules::new(N, 2));
         let size: f64 = hinges::<f64, N>(&g).iter().map(|h| h.volume).sum();
         vec![
             Equation::new("⟨Rω,v⟩")
@@ -64,7 +63,7 @@ impl OnMesh for ActionOracle {
         cases(dimension, quick, |case| case.degree == 0)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let case = case_of(at);
         let mesh: Mesh<N> = case.mesh();
         let regge = ReggeSpace::new(&mesh, 0);

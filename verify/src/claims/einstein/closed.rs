@@ -8,7 +8,6 @@ use crate::stage::mesh::{
 };
 use crate::stage::reference::{FlatHinge, hinges};
 use num_dual::Dual64;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{Rules, Sums};
 use regge_curvature::spaces::Lagrange;
 
@@ -50,11 +49,11 @@ impl Evolution for M08 {
         closed(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let one = |s: &Three| Tested::One.of_sums(&m.at.space, s);
-        let b = m.at.b::<K>();
+        let b = m.at.b();
         let sizes = b.largest();
-        let gradient = gradient(one(&m.rate), &one(&m.at.a::<K>()), (at.degree == 0, N == 2));
+        let gradient = gradient(one(&m.rate), &one(&m.at.a()), (at.degree == 0, N == 2));
         let b = one(&b);
         let against_one = Equation::new("b_h(·,1)")
             .left("Σ_T ∫⟨𝕊σ,∇∇1⟩ω", b.t)
@@ -108,9 +107,9 @@ impl OnMesh for M09 {
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let pair = Pair::<N>::draw(at, draw);
-        let a = Tested::One.of_sums(&pair.space, &pair.a::<K>());
+        let a = Tested::One.of_sums(&pair.space, &pair.a());
         let moved = hinges::<Dual64, N>(&moving(&pair.g, &pair.sigma));
         let sum = |f: fn(&FlatHinge<Dual64>) -> f64| moved.iter().map(f).sum::<f64>();
         let size = sum(|h| (h.defect.eps * h.volume.re).abs());
@@ -155,7 +154,7 @@ impl Evolution for Action {
     }
 
     /// 2ΣΘ_S V_S by Cholesky's factors, in the place of one test function.
-    fn functional<K: Formulas, T: Clock, const N: usize>(
+    fn functional<T: Clock, const N: usize>(
         g: &Regge<T, N>,
         space: &Lagrange<N>,
         _: &Rules,
@@ -172,14 +171,14 @@ impl Evolution for Action {
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let one = |s: &Three| Tested::One.of_sums(&m.at.space, s).s;
         let all = hinges::<f64, N>(&m.at.g);
         let size: f64 = all.iter().map(|h| (h.defect * h.volume).abs()).sum();
         vec![
             Equation::new("action")
                 .left("d/dt 2ΣΘ_SV_S", one(&m.rate))
-                .right("−a_h(σ,1)", minus(&one(&m.at.a::<K>())))
+                .right("−a_h(σ,1)", minus(&one(&m.at.a())))
                 .magnitude(size),
         ]
     }

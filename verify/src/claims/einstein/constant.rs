@@ -6,7 +6,6 @@ use crate::stage::mesh::{OnMesh, Pair, ROUNDING, Tested};
 use crate::stage::point::{Instance, Over, Pointwise};
 use crate::stage::reference::{FlatHinge, hinges};
 use num_dual::Dual64;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::linalg::{Mat, Vector};
 use regge_curvature::scalar::Field;
@@ -36,9 +35,9 @@ impl OnMesh for M12 {
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let pair = Pair::<N>::draw(at, draw);
-        let one = Tested::One.of_sums(&pair.space, &pair.a::<K>());
+        let one = Tested::One.of_sums(&pair.space, &pair.a());
         let laid_out = hinges::<Dual64, N>(&moving(&pair.g, &pair.sigma));
         let sum = |f: fn(&FlatHinge<Dual64>) -> f64| laid_out.iter().map(f).sum::<f64>();
         let size = sum(|h| (h.defect.re * h.volume.eps).abs() + h.volume.eps.abs());
@@ -80,7 +79,7 @@ impl Pointwise for M12 {
     const OVER: Over = Over::Integers;
     const ROOTS: u32 = 2;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());

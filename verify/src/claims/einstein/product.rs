@@ -3,8 +3,7 @@
 use crate::harness::{Equation, Judgement, Record, Setting};
 use crate::stage::mesh::{Evolution, Moving, QUADRATURE, Three, everywhere};
 use regge_curvature::field::TensorField;
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::a_h_with;
+use regge_curvature::functional::a_h;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::Mat;
 use regge_curvature::simplex::{Bernstein, JetTable, Points};
@@ -54,7 +53,7 @@ impl Evolution for M10 {
         everywhere(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let (pair, v) = (&m.at, &m.v);
         let paired = |sum: &[f64]| -> f64 { sum.iter().zip(v).map(|(s, c)| s * c).sum() };
         let whole = |x: &Three| paired(&x.t) + paired(&x.f) + paired(&x.s);
@@ -64,12 +63,12 @@ impl Evolution for M10 {
             sigma: &pair.sigma,
         };
         let hats = Lagrange::new(pair.space.mesh(), 1);
-        let einstein = a_h_with::<K, f64, N, _, _>(&pair.g, &product, &hats, &pair.rules)
+        let einstein = a_h(&pair.g, &product, &hats, &pair.rules)
             .pair(&vec![1.0; hats.len()]);
         vec![
             Equation::new("by the Einstein tensor")
                 .left("d/dt⟨(Rω)_dist,v⟩", whole(&m.rate))
-                .right("⟨(div div 𝕊)_dist σ,v⟩", whole(&pair.b::<K>()))
+                .right("⟨(div div 𝕊)_dist σ,v⟩", whole(&pair.b()))
                 .right("−⟨(Gω)_dist,vσ⟩", -einstein.iter().sum::<f64>())
                 .vanishes(N == 2, "(Gω)_dist = 0 when N = 2"),
         ]

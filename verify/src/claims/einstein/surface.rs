@@ -3,7 +3,6 @@
 use crate::harness::{Draw, Equation, Judgement, Record, Setting, Shape, Timed, grid};
 use crate::stage::mesh::{FLAT, OnMesh, POINTS, Pair, PlainSecondForm, ROUNDING};
 use crate::stage::point::{Instance, Over, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::scalar::Algebraic;
 
@@ -27,9 +26,9 @@ impl OnMesh for M07 {
         grid(&shapes, &[4, 4, 4], if quick { 1 } else { 6 })
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let pair = Pair::<N>::draw(at, draw);
-        let (a, plain) = (pair.a::<K>(), pair.a::<PlainSecondForm>());
+        let (a, plain) = (pair.a(), pair.a::<PlainSecondForm>());
         let flat = at.degree == 0;
         // R and Θ of size 1 times σ of size 1: what cancels.
         let size = 1.0;
@@ -59,13 +58,13 @@ impl Pointwise for M07 {
     const OVER: Over = Over::Integers;
     const ROOTS: u32 = 4;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (still, scene, sigma) = (i.still(), i.scene::<K>(), i.sigma0());
+        let (still, scene, sigma) = (i.still(), i.scene(), i.sigma0());
         let base = still.lower();
         let (omega, omega_f) = (base.det.sqrt(), scene.face.omega);
-        let reversed = scene.face.trace_reversed::<K>(&base);
+        let reversed = scene.face.trace_reversed(&base);
         let hinge = Hinge::new(&base.inverse, [&i.nu().map(|x| x.value), &i.nu_bar]);
         vec![
             Equation::new("⟨G,σ⟩ω")

@@ -3,8 +3,7 @@
 use crate::harness::{Draw, Equation, Judgement, Record, Setting, Timed};
 use crate::stage::mesh::{FLAT, OnMesh, Pair, ROUNDING, at_points, times, values};
 use crate::stage::point::{Instance, Over, Pointwise, Scene};
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{a_h_with, distributional_curvature_with};
+use regge_curvature::functional::{a_h, distributional_curvature};
 use regge_curvature::hinge::Hinge;
 use regge_curvature::linalg::Mat;
 use regge_curvature::riemann::Connection;
@@ -24,12 +23,12 @@ impl Pointwise for M11 {
     };
     const ROOTS: u32 = 3;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let still = i.still();
         let (base, r) = (still.lower(), still.scalar());
-        let scene = i.scene::<K>();
+        let scene = i.scene();
         let times = |k: usize, x: S::Base| S::Base::from_int(-(k as i64)) * x;
         let half_r = S::Base::half() * r;
         let hinge = Hinge::new(&base.inverse, [&i.nu().map(|x| x.value), &i.nu_bar]);
@@ -41,7 +40,7 @@ impl Pointwise for M11 {
                 .vanishes(N == 2, "N − 2 = 0")
                 .magnitude(r)
                 .forge("N−1 for N−2", "−(N−2)R/2", times(N - 1, half_r)),
-            reversed_trace::<K, S, N>(&scene, &base),
+            reversed_trace::<S, N>(&scene, &base),
             Equation::new("Tr(g|_S)")
                 .left("Tr(g|_S)", hinge.trace(&base.inverse, &base.g))
                 .vanishes(N == 2, "S is a point")
@@ -54,11 +53,11 @@ impl Pointwise for M11 {
 }
 
 /// ⟨II‾, g|_F⟩ = −(N−2) H.
-fn reversed_trace<K: Formulas, S: Timed, const N: usize>(
+fn reversed_trace<S: Timed, const N: usize>(
     scene: &Scene<S::Base, N>,
     base: &Connection<S::Base, N>,
 ) -> Equation<S::Base> {
-    let reversed: Mat<S::Base, N> = scene.face.trace_reversed::<K>(base);
+    let reversed: Mat<S::Base, N> = scene.face.trace_reversed(base);
     let h = scene.face.h;
     let times = |k: usize| S::Base::from_int(-(k as i64)) * h;
     Equation::new("⟨II‾,g⟩")
@@ -91,12 +90,12 @@ impl OnMesh for M19 {
         at_points(quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let Pair {
             g, space, rules, ..
         } = Pair::<N>::draw(at, draw);
-        let a = values(a_h_with::<K, f64, N, _, _>(&g, &g, &space, &rules));
-        let r = values(distributional_curvature_with::<K, f64, N, _>(
+        let a = values(a_h(&g, &g, &space, &rules));
+        let r = values(distributional_curvature(
             &g, &space, &rules,
         ));
         let (flat, surface) = (at.degree == 0, N == 2);
@@ -129,9 +128,9 @@ impl Pointwise for M19 {
     const DIMENSIONS: &'static [usize] = &[2, 3, 4];
     const OVER: Over = Over::Integers;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        M11::equations::<K, S, N>(i)
+        M11::equations::<S, N>(i)
     }
 }

@@ -4,7 +4,6 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, 
 use crate::stage::fields::{Patch, function, variation};
 use crate::stage::mesh::{OnMesh, torn};
 use crate::stage::reference::{case_of, cases};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::interpolate::{Canonical, Interpolant, Projection};
 use regge_curvature::mesh::{Mesh, Slot};
 use regge_curvature::metrics::{Metric, Smooth};
@@ -64,7 +63,7 @@ impl OnMesh for I29 {
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let space = ReggeSpace::new(&mesh, at.degree);
         let canonical = Canonical::new(&space);
@@ -129,7 +128,7 @@ impl OnMesh for InterpolantOracle {
         cases(dimension, quick, |_| true)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let case = case_of(at);
         let mesh: Mesh<N> = case.mesh();
         let regge = ReggeSpace::new(&mesh, case.degree);

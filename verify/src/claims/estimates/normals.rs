@@ -3,7 +3,6 @@
 use crate::harness::{Equation, Excuses, Ground, Record, Timed};
 use crate::stage::point::{Instance, Over, Pointwise};
 use nalgebra::DMatrix;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hypersurface::Normal;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, inverse_and_det};
 use regge_curvature::scalar::{Algebraic, Field};
@@ -59,7 +58,7 @@ impl Pointwise for I01 {
         sides: "Left: the lengths of ν in two metrics by the library. Right: the closed form.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
@@ -88,7 +87,7 @@ impl Pointwise for I02 {
         sides: "Left: the library's normals and inverses. Right: products of matrices.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
@@ -146,7 +145,7 @@ impl Pointwise for I03 {
     const OVER: Over = Over::Ordered;
     const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);

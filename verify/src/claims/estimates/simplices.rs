@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Excuses, Ground, Record, Timed};
 use crate::stage::point::{Instance, Over, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::outward;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form, inverse_and_det, symmetric};
@@ -22,7 +21,7 @@ struct Shape {
 }
 
 impl Shape {
-    fn new<K: Formulas, B: Ground, const N: usize>(g: &Mat<B, N>) -> Self {
+    fn new<B: Ground, const N: usize>(g: &Mat<B, N>) -> Self {
         let inverse = inverse_and_det(g).0;
         let nu: Vec<Vector<B, N>> = (0..=N).map(outward).collect();
         // 1/|dλ_f| is the height over the face f, and 1/ρ = Σ_f 1/height_f.
@@ -81,7 +80,7 @@ impl Pointwise for I18 {
     const OVER: Over = Over::Ordered;
     const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let bound = |name, shape: Shape| {
@@ -91,9 +90,9 @@ impl Pointwise for I18 {
                 .right("least sin θ", S::Base::from_real(shape.least_sine))
                 .forge("no sin θ", "least sin θ", S::Base::from_real(0.0))
         };
-        let random = Shape::new::<K, S::Base, N>(&i.still0().g);
+        let random = Shape::new::<S::Base, N>(&i.still0().g);
         let (twice, height) = (2.0 * random.inradius, random.least_height);
-        let thin = Shape::new::<K, S::Base, N>(&slender());
+        let thin = Shape::new::<S::Base, N>(&slender());
         let sharper = S::Base::from_real(2.01 * thin.inradius / thin.diameter);
         vec![
             bound("random simplex", random),
@@ -136,7 +135,7 @@ impl Pointwise for I28 {
             .few_cases("nothing is random: r = 0, …, 5 for every N");
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         _i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let int = |n: usize| S::Base::from_int(n as i64);

@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::Normal;
 use regge_curvature::linalg::{Mat, Vector, form};
@@ -48,8 +47,8 @@ fn wedge<S: Timed, const N: usize>(
     Hinge::new(&i.moving0().inverse, [nu_bar, &nu.map(|x| -x)])
 }
 
-/// θ̇ by the formulas K.
-fn rate<K: Formulas, S: Timed, const N: usize>(hinge: &Hinge<S, N>) -> S::Base {
+/// θ̇.
+fn rate<S: Timed, const N: usize>(hinge: &Hinge<S, N>) -> S::Base {
     let (sin, cos) = K::dihedral(hinge);
     S::angle_rate(sin, cos)
 }
@@ -68,7 +67,7 @@ impl Pointwise for P22 {
     };
     const ROOTS: u32 = 5;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
@@ -77,7 +76,7 @@ impl Pointwise for P22 {
         let (nu_t, bar_t) = (nu.map(S::fixed), i.nu_bar.map(S::fixed));
         let turning = Vector::from_fn(|k, _| S::new(nu[k], i.nu_rate[k]));
         let half = S::Base::half();
-        let left = rate::<K, S, N>(&wedge(i, &nu_t, &bar_t));
+        let left = rate::<S, N>(&wedge(i, &nu_t, &bar_t));
         vec![
             Equation::new("θ̇")
                 .left("θ̇", left)
@@ -86,7 +85,7 @@ impl Pointwise for P22 {
                     "−½σ(n̄,τ̄)",
                     -half * form(&sigma, &pairs.n_bar, &pairs.tau_bar),
                 )
-                .forge("F moves", "θ̇", rate::<K, S, N>(&wedge(i, &turning, &bar_t)))
+                .forge("F moves", "θ̇", rate::<S, N>(&wedge(i, &turning, &bar_t)))
                 .forge("cos θ = +g(n⁺,n⁻)", "θ̇", -left),
         ]
     }
@@ -108,7 +107,7 @@ impl Pointwise for P23 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
@@ -117,7 +116,7 @@ impl Pointwise for P23 {
             n, n_bar, cos, sin, ..
         } = Turned::new(&base.g, &base.inverse, &nu, &i.nu_bar);
         let half = S::Base::half();
-        let theta = rate::<K, S, N>(&wedge(i, &nu.map(S::fixed), &i.nu_bar.map(S::fixed)));
+        let theta = rate::<S, N>(&wedge(i, &nu.map(S::fixed), &i.nu_bar.map(S::fixed)));
         let hinge = Hinge::new(&base.inverse, [&i.nu_bar, &nu.map(|x| -x)]);
         let first = Vector::from_fn(|k, _| n_bar[k] * cos - n[k]);
         let second = Vector::from_fn(|k, _| n[k] * cos - n_bar[k]);
@@ -155,19 +154,19 @@ impl Pointwise for P24 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);
         // Of the two wedges on either side of a face, one is obtuse.
         vec![
-            dihedral::<K, S, N>("wedge", i, nu),
-            dihedral::<K, S, N>("neighbouring wedge", i, -nu),
+            dihedral::<S, N>("wedge", i, nu),
+            dihedral::<S, N>("neighbouring wedge", i, -nu),
         ]
     }
 }
 
-fn dihedral<K: Formulas, S: Timed, const N: usize>(
+fn dihedral<S: Timed, const N: usize>(
     name: &'static str,
     i: &Instance<S, N>,
     nu: Vector<S::Base, N>,
@@ -175,7 +174,7 @@ fn dihedral<K: Formulas, S: Timed, const N: usize>(
     let (base, sigma) = (i.still0(), i.sigma0());
     let hinge = Hinge::new(&base.inverse, [&nu, &i.nu_bar]);
     let moving = [nu.map(S::fixed), i.nu_bar.map(S::fixed)];
-    let left = rate::<K, S, N>(&Hinge::new(&i.moving0().inverse, [&moving[0], &moving[1]]));
+    let left = rate::<S, N>(&Hinge::new(&i.moving0().inverse, [&moving[0], &moving[1]]));
     let on = |f: usize| S::Base::half() * form(&sigma, &hinge.normal(f), &hinge.conormal(f));
     let names = ["½σ(n_a,τ_a)", "½σ(n_b,τ_b)"];
     let equation = Equation::new(name)

@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, along};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::linalg::{Mat, Vector, apply, form, symmetric};
 use regge_curvature::riemann::Connection;
 use regge_curvature::scalar::Field;
@@ -42,7 +41,7 @@ impl Pointwise for P05 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let base = i.still0();
@@ -93,7 +92,7 @@ impl Pointwise for P06 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let base = i.still0();
@@ -148,7 +147,7 @@ impl Pointwise for I12 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (one, two) = (i.still0(), Connection::new(&i.other));

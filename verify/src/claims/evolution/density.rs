@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, Scene, along, derivative, mean_curvature_density};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Vector, form};
 use regge_curvature::scalar::Field;
@@ -21,30 +20,30 @@ impl Pointwise for P20 {
             random function and on a plane, for both orientations. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         vec![
-            density::<K, S, N>("curved F", i, &i.nu()),
-            density::<K, S, N>("flat F", i, &i.flat_nu()),
-            density::<K, S, N>("curved F, −n", i, &i.nu().map(|x| -x)),
+            density::<S, N>("curved F", i, &i.nu()),
+            density::<S, N>("flat F", i, &i.flat_nu()),
+            density::<S, N>("curved F, −n", i, &i.nu().map(|x| -x)),
         ]
     }
 }
 
-fn density<K: Formulas, S: Timed, const N: usize>(
+fn density<S: Timed, const N: usize>(
     name: &'static str,
     i: &Instance<S, N>,
     nu: &Vector<Jet1<S::Base, N>, N>,
 ) -> Equation<S::Base> {
-    let scene = Scene::new::<K, S>(i, nu);
+    let scene = Scene::new::<S>(i, nu);
     let face = &scene.face;
     let minus_half = -S::Base::half() * face.omega;
     let reversed = face
         .normal
-        .inner(&face.trace_reversed::<K>(&scene.base), &scene.sigma);
+        .inner(&face.trace_reversed(&scene.base), &scene.sigma);
     Equation::new(name)
-        .left("∂_t(Hω_F)", mean_curvature_density::<K, S, N>(i, nu).rate())
+        .left("∂_t(Hω_F)", mean_curvature_density::<S, N>(i, nu).rate())
         .right("−½⟨II‾,σ⟩ω_F", minus_half * reversed)
         .vanishes(N == 2, "II‾ = 0 when N = 2")
         .right("−½(div 𝕊σ)(n)ω_F", minus_half * scene.div_s_n)
@@ -79,16 +78,16 @@ impl Pointwise for P21 {
     };
     const DIMENSIONS: &'static [usize] = &[2];
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let (face, n1, tau1) = (&scene.face, frame.n1(), frame.tau1()[0]);
         let (n, tau) = (frame.n0(), frame.tau0()[0]);
         let turn = along(&scene.base.nabla_vector(&n1), &tau);
         let bend = along(&scene.base.nabla_vector(&tau1), &tau);
         let shear = derivative(&form(&scene.sigma1, &n1, &tau1), &tau);
-        let reversed = face.trace_reversed::<K>(&scene.base);
+        let reversed = face.trace_reversed(&scene.base);
         let minus_half = -S::Base::half() * face.omega;
         vec![
             Equation::new("∇_τ n")
@@ -113,7 +112,7 @@ impl Pointwise for P21 {
             Equation::new("∂_t(Hω_F)")
                 .left(
                     "∂_t(Hω_F)",
-                    mean_curvature_density::<K, S, N>(i, &i.nu()).rate(),
+                    mean_curvature_density::<S, N>(i, &i.nu()).rate(),
                 )
                 .right("−½(div 𝕊σ)(n)ω_F", minus_half * scene.div_s_n)
                 .right("−½∇_τ(σ(n,τ))ω_F", minus_half * shear),

@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Frame, Instance, Pointwise, along, sum};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Vector, form};
 use regge_curvature::scalar::Field;
@@ -41,7 +40,7 @@ impl Pointwise for P10 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (frame, g) = (i.frame(), i.still0().g);
@@ -49,7 +48,7 @@ impl Pointwise for P10 {
         let bend = accelerations(i, &frame);
         vec![
             Equation::new("H")
-                .left("H", i.moving_h::<K>().value())
+                .left("H", i.moving_h().value())
                 .right(
                     "−Σg(n,∇_ττ)",
                     -sum(&bend, |a| form(&g, &n, &a.map(S::value))),
@@ -74,16 +73,16 @@ impl Pointwise for P11 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let n = frame.n0();
         let bend = accelerations(i, &frame);
         let rate = |a: &Vector<S, N>| form(&scene.base.g, &n, &a.map(S::rate));
         vec![
             Equation::new("Ḣ")
-                .left("Ḣ", i.moving_h::<K>().rate())
+                .left("Ḣ", i.moving_h().rate())
                 .right("½Hσ(n,n)", S::Base::half() * scene.face.h * scene.s_nn)
                 .right("−Σg(n,∂_t∇_ττ)", -sum(&bend, rate))
                 .magnitude(components(&bend, S::rate)),
@@ -104,10 +103,10 @@ impl Pointwise for P12 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let n = frame.n0();
         let (mut left, mut size) = (S::Base::zero(), Vec::new());
         for (tau, rate) in frame.tau1().iter().zip(frame.tau_rate()) {
@@ -139,15 +138,15 @@ impl Pointwise for P13 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let (n, tau) = (frame.n0(), frame.tau0());
         let half = S::Base::half();
         vec![
             Equation::new("Ḣ")
-                .left("Ḣ", i.moving_h::<K>().rate())
+                .left("Ḣ", i.moving_h().rate())
                 .right("½Hσ(n,n)", half * scene.face.h * scene.s_nn)
                 .right("−⟨II,σ⟩", -scene.ii_sigma)
                 .right(

@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, along, derivative, sum};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::linalg::form;
 use regge_curvature::scalar::Field;
 
@@ -19,10 +18,10 @@ impl Pointwise for P14 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let nabla_n = scene.base.nabla_vector(&frame.n1());
         let right = sum(&frame.tau0(), |t| {
             form(&scene.sigma, &along(&nabla_n, t), t)
@@ -49,10 +48,10 @@ impl Pointwise for P15 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let (n, tau) = (frame.n0(), frame.tau0());
         vec![
             Equation::new("(div 𝕊σ)(n)")
@@ -80,10 +79,10 @@ impl Pointwise for P16 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let (n1, n) = (frame.n1(), frame.n0());
         let (mut first, mut second) = (S::Base::zero(), S::Base::zero());
         for t in &frame.tau1() {
@@ -115,10 +114,10 @@ impl Pointwise for P17 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let (frame, scene) = (i.frame(), i.scene::<K>());
+        let (frame, scene) = (i.frame(), i.scene());
         let (n, tau) = (frame.n0(), frame.tau0());
         let half = S::Base::half();
         vec![
@@ -150,14 +149,14 @@ impl Pointwise for P18 {
             t = 0. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let scene = i.scene::<K>();
+        let scene = i.scene();
         let half = S::Base::half();
         vec![
             Equation::new("Ḣ")
-                .left("Ḣ", i.moving_h::<K>().rate())
+                .left("Ḣ", i.moving_h().rate())
                 .right("−½⟨II,σ⟩", -half * scene.ii_sigma)
                 .right("−½(div 𝕊σ)(n)", -half * scene.div_s_n)
                 .right("−½div_F(σ(n,·))", -half * scene.div_f)
@@ -182,10 +181,10 @@ impl Pointwise for P19 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        let scene = i.scene::<K>();
+        let scene = i.scene();
         let tau = i.frame().tau0();
         let mut against = S::Base::zero();
         for a in &tau {
@@ -194,7 +193,7 @@ impl Pointwise for P19 {
             });
         }
         let trace = sum(&tau, |t| form(&scene.sigma, t, t));
-        let reversed = scene.face.trace_reversed::<K>(&scene.base);
+        let reversed = scene.face.trace_reversed(&scene.base);
         vec![
             Equation::new("⟨II‾,σ⟩")
                 .left("⟨II,σ⟩", against)

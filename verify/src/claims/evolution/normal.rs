@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hypersurface::Normal;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form};
 use regge_curvature::scalar::Field;
@@ -20,7 +19,7 @@ impl Pointwise for D12 {
         sides: "Left: products with the library's normal. Right: numbers and the covector itself.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let base = i.still0();
@@ -62,7 +61,7 @@ impl Pointwise for P07 {
         sides: "Left: g + tσ, its normal and a moving X, differentiated in t. Right: products at t = 0.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (moving, base) = (i.moving0(), i.still0());
@@ -100,7 +99,7 @@ impl Pointwise for P08 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (moving, base, sigma) = (i.moving0(), i.still0(), i.sigma0());
@@ -151,7 +150,7 @@ impl Pointwise for P09 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (sigma, g): (Mat<S::Base, N>, Mat<S::Base, N>) = (i.sigma0(), i.still0().g);

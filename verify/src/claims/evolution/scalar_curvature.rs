@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, inverse_and_det, symmetric};
 use regge_curvature::riemann::{reverse_trace, trace};
@@ -22,7 +21,7 @@ impl Pointwise for P01 {
             derivatives of σ, and Ric at t = 0. Both use Ric, the left its change and the right its value, which O03 pins down.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let still = i.still();
@@ -52,7 +51,7 @@ impl Pointwise for P03 {
             Einstein tensor at t = 0. Both use R, the left its change and the right its value, which O03 pins down.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (moving, still) = (i.moving(), i.still());

@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::{Normal, omega_f};
 use regge_curvature::scalar::{Algebraic, Field};
@@ -21,7 +20,7 @@ impl Pointwise for P02 {
         sides: "Left: square roots of determinants, differentiated in t. Right: traces with g⁻¹ and normals. Both use the volume forms, the left their change and the right their values.",
     };
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let (moving, still, sigma) = (i.moving0(), i.still0(), i.sigma0());

@@ -5,8 +5,7 @@ use crate::stage::fields::{Tangent, function, metric, test_function, value_only}
 use crate::stage::mesh::{FLAT, OnMesh, POINTS, QUADRATURE, everywhere, orders, times};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use regge_curvature::field::TensorField;
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{Rules, a_h_with, b_h_with, distributional_curvature_with};
+use regge_curvature::functional::{Rules, a_h, b_h, distributional_curvature};
 use regge_curvature::interpolate::Canonical;
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, form, symmetric};
@@ -41,7 +40,7 @@ impl OnMesh for M18 {
             .collect()
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, at.degree);
         let g = metric(&regge, draw);
@@ -53,11 +52,11 @@ impl OnMesh for M18 {
             Lagrange::new(&mesh, at.test),
             Lagrange::new(&mesh, at.test + 1),
         );
-        let rules = Rules::new::<N>(at.order);
+        let rules = at.rules(N);
         let v = test_function(&space, draw);
-        let b = b_h_with::<K, f64, N, _, _>(&g, &field, &space, &rules).pair(&v);
-        let a = a_h_with::<K, f64, N, _, _>(&g, &field, &space, &rules).pair(&v);
-        let r = distributional_curvature_with::<K, f64, N, _>(&g, &target, &rules)
+        let b = b_h(&g, &field, &space, &rules).pair(&v);
+        let a = a_h(&g, &field, &space, &rules).pair(&v);
+        let r = distributional_curvature(&g, &target, &rules)
             .pair(&field.apply(&space, &target, &v));
         let (flat, surface) = (at.degree == 0, N == 2);
         vec![
@@ -160,7 +159,7 @@ fn composed<const N: usize>(
 }
 
 /// The three sums of φ*g against v∘φ, and against v.
-fn transformed<K: Formulas, const N: usize>(
+fn transformed<const N: usize>(
     x: Tangent<N>,
     space: &Lagrange<N>,
     v: &[f64],
@@ -178,7 +177,7 @@ fn transformed<K: Formulas, const N: usize>(
     let values = canonical.evaluate(&field, 4 * degree + 6);
     let moved = function(&raised, canonical.solve(&values));
     let target = Lagrange::new(mesh, 2 * space.degree());
-    let sums = distributional_curvature_with::<K, f64, N, _>(&moved, &target, rules);
+    let sums = distributional_curvature(&moved, &target, rules);
     [&field.0, &still].map(|x| sums.pair(&composed(x, space, &target, v)))
 }
 
@@ -202,7 +201,7 @@ impl OnMesh for Invariance {
             .collect()
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, at.degree);
         let g = metric(&regge, draw);
@@ -210,9 +209,9 @@ impl OnMesh for Invariance {
         let c = times(0.05, &draw.numbers(mesh.count(1)));
         let space = Lagrange::new(&mesh, at.test);
         let v = draw.numbers(space.len());
-        let rules = Rules::new::<N>(at.order);
-        let before = distributional_curvature_with::<K, f64, N, _>(&g, &space, &rules).pair(&v);
-        let [after, unmoved] = transformed::<K, N>(Tangent { g, c }, &space, &v, &rules);
+        let rules = at.rules(N);
+        let before = distributional_curvature(&g, &space, &rules).pair(&v);
+        let [after, unmoved] = transformed::<N>(Tangent { g, c }, &space, &v, &rules);
         let one = |k: usize, name, flat: bool| {
             Equation::new(name)
                 .left("of φ*g, v∘φ", after[k])

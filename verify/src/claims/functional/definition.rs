@@ -4,8 +4,7 @@ use crate::harness::{Draw, Equation, Excuses, Judgement, Method, Record, Setting
 use crate::stage::fields::{combination, flat};
 use crate::stage::mesh::{FLAT, OnMesh, Pair, Three};
 use crate::stage::reference::{FEW, NGSOLVE, case_of, cases};
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{Rules, distributional_curvature_with};
+use regge_curvature::functional::{Rules, distributional_curvature};
 use regge_curvature::quadrature::gauss_legendre;
 use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
@@ -32,12 +31,12 @@ impl OnMesh for D11 {
         cases(dimension, quick, |_| true)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let case = case_of(at);
         let mesh = case.mesh::<N>();
         let (space, hats) = (ReggeSpace::new(&mesh, case.degree), Lagrange::new(&mesh, 1));
-        let (g, rules) = (case.metric(&space), Rules::new::<N>(at.order));
-        let sums = distributional_curvature_with::<K, f64, N, _>(&g, &hats, &rules);
+        let (g, rules) = (case.metric(&space), at.rules(N));
+        let sums = distributional_curvature(&g, &hats, &rules);
         let known = &case.curvature;
         let side = |name, ours: &[f64], theirs: &[f64], none: bool| {
             Equation::new(name)
@@ -73,7 +72,7 @@ impl OnMesh for FromFlat {
         cases(dimension, quick, |case| case.simplices.len() < 100)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let case = case_of(at);
         let mesh = case.mesh::<N>();
         let (regge, hats) = (ReggeSpace::new(&mesh, case.degree), Lagrange::new(&mesh, 1));
@@ -85,8 +84,8 @@ impl OnMesh for FromFlat {
         for (t, w) in nodes.into_iter().zip(weights) {
             let at_t = combination(1.0 - t, &flat, t, &g);
             let pair = Pair::new(hats.clone(), at.order, at_t, sigma.clone());
-            add(&mut b, w, &pair.b::<K>());
-            add(&mut a, -w, &pair.a::<K>());
+            add(&mut b, w, &pair.b());
+            add(&mut a, -w, &pair.a());
         }
         let known = &case.curvature;
         let sums = known.element.iter().zip(&known.face).zip(&known.angle);

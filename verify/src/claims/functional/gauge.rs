@@ -4,8 +4,7 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape};
 use crate::stage::fields::{Regge, function, metric, value_only};
 use crate::stage::mesh::{OnMesh, POINTS_IN_T, Pair, QUADRATURE, ROUNDING, Tested, values};
 use regge_curvature::field::TensorField;
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{Rules, a_h_with, distributional_curvature_with};
+use regge_curvature::functional::{Rules, a_h, distributional_curvature};
 use regge_curvature::interpolate::Canonical;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, Vector, symmetric};
@@ -130,7 +129,7 @@ impl OnMesh for M16 {
     }
 
     /// Here the setting's degree is s.
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let start = identity_map(&mesh, at.degree);
         let u = displacement(start.len(), draw);
@@ -138,11 +137,11 @@ impl OnMesh for M16 {
         let pulled_back = PullBack::new(&mesh, at.degree, moved(&start, 1.0, &u));
         let g = as_regge(&regge, &pulled_back, at.degree);
         let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
-        let sums = values(distributional_curvature_with::<K, f64, N, _>(
+        let rules = at.rules(N);
+        let sums = values(distributional_curvature(
             &g, &space, &rules,
         ));
-        let a = values(a_h_with::<K, f64, N, _, _>(
+        let a = values(a_h(
             &g,
             &metric(&regge, draw),
             &space,
@@ -156,7 +155,7 @@ impl OnMesh for M16 {
                 .magnitude(1.0)
         };
         let other = metric(&regge, draw);
-        let curved = values(distributional_curvature_with::<K, f64, N, _>(
+        let curved = values(distributional_curvature(
             &other, &space, &rules,
         ));
         vec![
@@ -191,7 +190,7 @@ impl OnMesh for Straight {
             .collect()
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let space = Lagrange::new(&mesh, at.test);
         let start = identity_map(&mesh, at.degree);
@@ -199,7 +198,7 @@ impl OnMesh for Straight {
         let mut sums: [Vec<f64>; 4] = std::array::from_fn(|_| vec![0.0; space.len()]);
         let (nodes, weights) = gauss_legendre(POINTS_IN_T);
         for (t, w) in nodes.into_iter().zip(weights) {
-            let terms = Self::forms::<K, N>(at, &space, &moved(&start, t, &u), &u);
+            let terms = Self::forms::<N>(at, &space, &moved(&start, t, &u), &u);
             for (sum, term) in sums.iter_mut().zip(terms) {
                 for (s, x) in sum.iter_mut().zip(term) {
                     *s += w * x;
@@ -224,7 +223,7 @@ impl OnMesh for Straight {
 
 impl Straight {
     /// The sums of b_h over cells and faces, of a_h over faces and hinges, at g = φ*δ with ġ = ∂φ·∂u + ∂u·∂φ.
-    fn forms<K: Formulas, const N: usize>(
+    fn forms<const N: usize>(
         at: &Setting,
         space: &Lagrange<N>,
         phi: &[Vector<f64, N>],
@@ -236,7 +235,7 @@ impl Straight {
         let rate = PullBack::polarised(mesh, at.degree, phi.to_vec(), moved(u, 1.0, u));
         let [g, rate] = [g, rate].map(|field| as_regge(&regge, &field, at.degree));
         let pair = Pair::new(space.clone(), at.order, g, rate);
-        let (b, a) = (pair.b::<K>(), pair.a::<K>());
+        let (b, a) = (pair.b(), pair.a());
         [b.t, b.f, a.f, a.s]
     }
 }

@@ -5,8 +5,7 @@ use crate::stage::fields::metric;
 use crate::stage::mesh::{
     Evolution, FLAT, Moving, OnMesh, QUADRATURE, Tested, Three, orders, spaces, values,
 };
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{Rules, distributional_curvature_with};
+use regge_curvature::functional::{Rules, distributional_curvature};
 
 /// Gauss and Bonnet.
 pub struct M15;
@@ -49,12 +48,12 @@ impl OnMesh for M15 {
         surfaces(if quick { 2 } else { 12 })
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let torus = at.shape != Shape::Sphere;
         let (regge, space) = spaces::<N>(at);
-        let rules = Rules::new::<N>(at.order);
+        let rules = at.rules(N);
         let g = metric(&regge, draw);
-        let sums = values(distributional_curvature_with::<K, f64, N, _>(
+        let sums = values(distributional_curvature(
             &g, &space, &rules,
         ));
         let chi = space.mesh().euler_characteristic() as f64;
@@ -79,7 +78,7 @@ impl Evolution for Unchanged {
         surfaces(if quick { 1 } else { 4 })
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let one = Tested::One.of_sums(&m.at.space, &m.rate);
         vec![three(one, m.rate.largest(), at.degree == 0, at.degree == 0)]
     }

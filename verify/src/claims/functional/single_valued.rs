@@ -5,7 +5,6 @@ use crate::stage::fields::{Regge, Seen, both_sides, metric, variation};
 use crate::stage::mesh::{FaceTerms, HingeTerms, OnMesh, ROUNDING, at_points, torn};
 use crate::stage::point::{Instance, Over, Pointwise};
 use regge_curvature::field::TensorField;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::Normal;
 use regge_curvature::linalg::{Mat, Vector, inverse_and_det, symmetric};
@@ -27,7 +26,7 @@ struct Side<B: Ground, const N: usize> {
 }
 
 impl<B: Ground, const N: usize> Side<B, N> {
-    fn new<K: Formulas>(g: &Mat<B, N>, sigma: &Mat<B, N>, nu: &Vector<B, N>) -> Self {
+    fn new(g: &Mat<B, N>, sigma: &Mat<B, N>, nu: &Vector<B, N>) -> Self {
         let (inverse, det) = inverse_and_det(g);
         let normal = Normal::new(&inverse, nu);
         let s_nn = normal.normal_normal(&K::reverse_trace(g, &inverse, sigma));
@@ -75,7 +74,7 @@ impl Pointwise for D13 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);
@@ -87,11 +86,11 @@ impl Pointwise for D13 {
             add(&g, small, &nu, &beta),
             add(&sigma, S::Base::one(), &nu, &i.nu_rate),
         );
-        let plus = Side::new::<K>(&g, &sigma, &nu);
-        let minus = Side::new::<K>(&g_m, &sigma_m, &-nu);
+        let plus = Side::new(&g, &sigma, &nu);
+        let minus = Side::new(&g_m, &sigma_m, &-nu);
         // Continuity broken: a part that tangent vectors see.
         let broken_sigma = add(&sigma_m, S::Base::one(), &beta, &beta);
-        let broken = Side::new::<K>(
+        let broken = Side::new(
             &add(&g_m, S::Base::one(), &beta, &beta),
             &broken_sigma,
             &-nu,
@@ -139,7 +138,7 @@ fn across<B: Ground, const N: usize>(
 pub struct M20;
 
 /// 𝕊σ(n,n), −Tr(σ|_F), σ(n,n) and ω_F from both sides of the faces.
-fn on_faces<K: Formulas, const N: usize, G: TensorField<f64, N>, H: TensorField<f64, N>>(
+fn on_faces<const N: usize, G: TensorField<f64, N>, H: TensorField<f64, N>>(
     mesh: &Mesh<N>,
     g: &G,
     sigma: &H,
@@ -149,13 +148,13 @@ fn on_faces<K: Formulas, const N: usize, G: TensorField<f64, N>, H: TensorField<
     let g = Seen::<f64, N, _>::new(g, N - 1, rule);
     let sigma = Seen::<f64, N, _>::new(sigma, N - 1, rule);
     both_sides(mesh, N - 1, rule, &|side, p| {
-        let terms = FaceTerms::new::<K, N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
+        let terms = FaceTerms::new::<N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
         vec![which(&terms)]
     })
 }
 
 /// ω_S from the first and the last cell around the hinges.
-fn on_hinges<K: Formulas, const N: usize, G: TensorField<f64, N>>(
+fn on_hinges<const N: usize, G: TensorField<f64, N>>(
     mesh: &Mesh<N>,
     g: &G,
     rule: &Rule,
@@ -163,7 +162,7 @@ fn on_hinges<K: Formulas, const N: usize, G: TensorField<f64, N>>(
     let g = Seen::<f64, N, _>::new(g, N - 2, rule);
     both_sides(mesh, N - 2, rule, &|side, p| {
         let value = g.value(side, p);
-        vec![HingeTerms::<f64>::new::<K, N>(&value, &value, side.place).omega]
+        vec![HingeTerms::<f64>::new::<N>(&value, &value, side.place).omega]
     })
 }
 
@@ -182,21 +181,21 @@ impl OnMesh for M20 {
         at_points(quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let apart = torn(&mesh);
         let regge = ReggeSpace::new(&mesh, at.degree);
         let loose = ReggeSpace::new(&apart, at.degree);
         let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
         let (torn_g, torn_sigma) = (metric(&loose, draw), variation(&loose, draw));
-        let mut all = reversed_traces::<K, N>(&mesh, &g, &sigma, &torn_sigma, at.order);
-        all.extend(measures::<K, N>(&mesh, [&g, &torn_g], &sigma, at.order));
+        let mut all = reversed_traces::<N>(&mesh, &g, &sigma, &torn_sigma, at.order);
+        all.extend(measures::<N>(&mesh, [&g, &torn_g], &sigma, at.order));
         all
     }
 }
 
 /// 𝕊σ(n,n) from both sides; σ and a σ without continuity.
-fn reversed_traces<K: Formulas, const N: usize>(
+fn reversed_traces<const N: usize>(
     mesh: &Mesh<N>,
     g: &Regge<f64, N>,
     sigma: &Regge<f64, N>,
@@ -204,10 +203,10 @@ fn reversed_traces<K: Formulas, const N: usize>(
     order: usize,
 ) -> Vec<Equation<f64>> {
     let rule = Rule::new(N - 1, order);
-    let faces = |q| on_faces::<K, N, _, _>(mesh, g, sigma, &rule, q);
+    let faces = |q| on_faces::<N, _, _>(mesh, g, sigma, &rule, q);
     let [plus, minus] = faces(|q| q.s_nn);
     let [trace, _] = faces(|q| -q.trace);
-    let [_, broken] = on_faces::<K, N, _, _>(mesh, g, torn, &rule, |q| q.s_nn);
+    let [_, broken] = on_faces::<N, _, _>(mesh, g, torn, &rule, |q| q.s_nn);
     let plain = ["from T+", "from T−"].into_iter().zip(faces(|q| q.nn));
     vec![
         Equation::new("𝕊σ(n,n)")
@@ -222,16 +221,16 @@ fn reversed_traces<K: Formulas, const N: usize>(
 }
 
 /// ω_F and ω_S from both sides; g and a g without continuity.
-fn measures<K: Formulas, const N: usize>(
+fn measures<const N: usize>(
     mesh: &Mesh<N>,
     [g, torn]: [&Regge<f64, N>; 2],
     sigma: &Regge<f64, N>,
     order: usize,
 ) -> Vec<Equation<f64>> {
     let (rule, hinge_rule) = (Rule::new(N - 1, order), Rule::new(N - 2, order));
-    let faces = |g| on_faces::<K, N, _, _>(mesh, g, sigma, &rule, |q| q.omega);
+    let faces = |g| on_faces::<N, _, _>(mesh, g, sigma, &rule, |q| q.omega);
     let ([plus, minus], [_, broken]) = (faces(g), faces(torn));
-    let hinges = |g| on_hinges::<K, N, _>(mesh, g, &hinge_rule);
+    let hinges = |g| on_hinges::<N, _>(mesh, g, &hinge_rule);
     let ([first, last], [_, broken_last]) = (hinges(g), hinges(torn));
     vec![
         Equation::new("ω_F")
@@ -257,9 +256,9 @@ impl Pointwise for M20 {
     const OVER: Over = Over::Integers;
     const ROOTS: u32 = D13::ROOTS;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
-        D13::equations::<K, S, N>(i)
+        D13::equations::<S, N>(i)
     }
 }

@@ -4,9 +4,8 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, 
 use crate::stage::fields::Patch;
 use crate::stage::mesh::{OnMesh, ROUNDING, values};
 use crate::stage::reference::{NGSOLVE, case_of, cases};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{
-    Rules, a_h_with, distributional_curvature_with, smooth_curvature,
+    Rules, a_h, distributional_curvature, smooth_curvature,
 };
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::{Metric, Smooth};
@@ -36,17 +35,17 @@ impl OnMesh for D10 {
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let space = Lagrange::new(&mesh, at.test);
-        let rules = Rules::new::<N>(at.order);
+        let rules = at.rules(N);
         let formula = [Metric::Trig, Metric::GraphQuartic, Metric::Sphere][at.pick % 3];
         let g = Smooth::new(&mesh, Patch::new(formula, draw)).expect("the mesh has coordinates");
-        let sums = values(distributional_curvature_with::<K, f64, N, _>(
+        let sums = values(distributional_curvature(
             &g, &space, &rules,
         ));
-        let a = values(a_h_with::<K, f64, N, _, _>(&g, &g, &space, &rules));
-        let smooth = smooth_curvature::<f64, N, _>(&g, &space, &rules.cells);
+        let a = values(a_h(&g, &g, &space, &rules));
+        let smooth = smooth_curvature(&g, &space, &rules.cells);
         let why = "g is smooth";
         vec![
             Equation::new("(Rω)_dist")
@@ -82,13 +81,13 @@ impl OnMesh for SmoothOracle {
         cases(dimension, quick, |case| case.metric != "trig")
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let case = case_of(at);
         let mesh: Mesh<N> = case.mesh();
         let hats = Lagrange::new(&mesh, 1);
         let g = Smooth::new(&mesh, case.formula()).expect("the mesh has coordinates");
-        let rules = Rules::new::<N>(at.order);
-        let sums = distributional_curvature_with::<K, f64, N, _>(&g, &hats, &rules);
+        let rules = at.rules(N);
+        let sums = distributional_curvature(&g, &hats, &rules);
         let known = &case.curvature;
         let smooth = known.smooth.clone();
         vec![

@@ -3,7 +3,6 @@
 use crate::harness::{Draw, Equation, Excuses, Judgement, Record, Setting};
 use crate::stage::fields::{Regge, Seen, both_sides, points_of, variation};
 use crate::stage::mesh::{OnMesh, ROUNDING, at_points, torn};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::linalg::Mat;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::quadrature::Rule;
@@ -53,7 +52,7 @@ impl OnMesh for D14 {
         at_points(quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let apart = torn(&mesh);
         let (regge, loose) = (

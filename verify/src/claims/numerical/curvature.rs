@@ -2,7 +2,6 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Over, Pointwise};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, symmetric};
 use regge_curvature::riemann::Connection;
@@ -59,7 +58,7 @@ impl Pointwise for N01 {
     const DIMENSIONS: &'static [usize] = &[2];
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let x = i.position();
@@ -84,7 +83,7 @@ impl Pointwise for N02 {
     const DIMENSIONS: &'static [usize] = &[3];
     const ROOTS: u32 = 0;
 
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>> {
         let x = i.position();

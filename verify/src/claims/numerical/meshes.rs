@@ -3,7 +3,6 @@
 use crate::harness::{Draw, Equation, Excuses, Judgement, Method, Record, Setting, Shape};
 use crate::stage::mesh::{OnMesh, ROUNDING};
 use regge_curvature::Error;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::spaces::ReggeSpace;
 use regge_study::Quantity;
@@ -43,7 +42,7 @@ impl OnMesh for N03 {
         (0..levels).map(of).collect()
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let (k, mesh) = cube::<N>(at);
         let cells = if N == 2 {
             2 * 4usize.pow(k)
@@ -107,7 +106,7 @@ impl OnMesh for N04 {
         (0..3).flat_map(one).collect()
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let (k, mesh) = cube::<N>(at);
         let space = ReggeSpace::new(&mesh, at.degree);
         let plotted = SERIES.iter().find(|s| {

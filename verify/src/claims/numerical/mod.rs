@@ -6,17 +6,16 @@ mod tables;
 
 use super::Catalogue;
 use crate::stage::{mesh, point};
-use regge_curvature::formulas::Formulas;
 
 /// Adds those that hold at a point, in dimension N.
-pub(super) fn at_a_point<K: Formulas, const N: usize>(all: &mut Catalogue) {
-    point::add::<curvature::N01, K, N>(all);
-    point::add::<curvature::N02, K, N>(all);
+pub(super) fn at_a_point<const N: usize>(all: &mut Catalogue) {
+    point::add::<curvature::N01, N>(all);
+    point::add::<curvature::N02, N>(all);
 }
 
 /// Adds those on meshes, in dimension N.
-pub(super) fn on_meshes<K: Formulas, const N: usize>(all: &mut Catalogue) {
-    mesh::add::<meshes::N03, K, N>(all);
-    mesh::add::<meshes::N04, K, N>(all);
-    mesh::add::<tables::N05, K, N>(all);
+pub(super) fn on_meshes<const N: usize>(all: &mut Catalogue) {
+    mesh::add::<meshes::N03, N>(all);
+    mesh::add::<meshes::N04, N>(all);
+    mesh::add::<tables::N05, N>(all);
 }

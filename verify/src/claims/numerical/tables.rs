@@ -2,7 +2,6 @@
 
 use crate::harness::{Draw, Equation, Excuses, Judgement, Method, Record, Setting, Shape};
 use crate::stage::mesh::{OnMesh, ROUNDING};
-use regge_curvature::formulas::Formulas;
 use regge_study::printed::{SERIES, Series};
 use regge_study::{Quantity, observed_order};
 
@@ -100,7 +99,7 @@ impl OnMesh for N05 {
         (0..3).map(of).collect()
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, _: &mut Draw) -> Vec<Equation<f64>> {
         let table = TABLES.iter().find(|t| t.dimension == N);
         let table = table.expect("there is one table for N = 2 and one for N = 3");
         table.equations(at.degree)

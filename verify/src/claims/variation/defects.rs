@@ -5,7 +5,6 @@ use crate::stage::mesh::Where::Interior;
 use crate::stage::mesh::{
     Evolution, FLAT, FaceTerms, Moving, NO_G, NO_II, POINTS, ROUNDING, Three, minus, times,
 };
-use regge_curvature::formulas::Formulas;
 
 /// The identities hold at every point: any rule will do.
 fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
@@ -38,10 +37,10 @@ impl Evolution for M01 {
         pointwise(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let flat = at.degree == 0;
-        let equation = jump_terms::<K, N>(m, flat);
-        vec![jump_forgeries::<K, N>(equation, m, flat)]
+        let equation = jump_terms::<N>(m, flat);
+        vec![jump_forgeries::<N>(equation, m, flat)]
     }
 }
 
@@ -50,8 +49,8 @@ const DIV_S: &str = "−∫⟦(div 𝕊σ)(n)⟧vω_F";
 const DIV_F: &str = "−∫⟦div_F(σ(n,·))⟧vω_F";
 const RATE: &str = "2 d/dt ∫⟦H⟧vω_F";
 
-fn jump_terms<K: Formulas, const N: usize>(m: &Moving<N>, flat: bool) -> Equation<f64> {
-    let jump = |q: fn(&FaceTerms) -> f64| m.at.faces::<K>(Interior, q);
+fn jump_terms<const N: usize>(m: &Moving<N>, flat: bool) -> Equation<f64> {
+    let jump = |q: fn(&FaceTerms) -> f64| m.at.faces(Interior, q);
     Equation::new("2 d/dt Σ̊_F ∫⟦H⟧vω_F")
         .left(RATE, m.rate.f.clone())
         .vanishes(flat, FLAT)
@@ -66,13 +65,13 @@ fn jump_terms<K: Formulas, const N: usize>(m: &Moving<N>, flat: bool) -> Equatio
         .magnitude(jump(|q| q.s_nn))
 }
 
-fn jump_forgeries<K: Formulas, const N: usize>(
+fn jump_forgeries<const N: usize>(
     equation: Equation<f64>,
     m: &Moving<N>,
     flat: bool,
 ) -> Equation<f64> {
-    let jump = |q: fn(&FaceTerms) -> f64| minus(&m.at.faces::<K>(Interior, q));
-    let difference = |q: fn(&FaceTerms) -> f64| minus(&m.at.differences::<K>(q));
+    let jump = |q: fn(&FaceTerms) -> f64| minus(&m.at.faces(Interior, q));
+    let difference = |q: fn(&FaceTerms) -> f64| minus(&m.at.differences(q));
     let forged = [
         ("II for II‾", II, jump(|q| q.plain_second_form)),
         ("div for div 𝕊", DIV_S, jump(|q| q.div)),
@@ -107,14 +106,14 @@ impl Evolution for M02 {
         pointwise(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let (rate, turned) = ("2 d/dt ∫Θvω_S", "−∫Σ_F⟦σ(n,τ)⟧vω_S");
-        let sum = m.at.turned::<K>(Interior);
+        let sum = m.at.turned(Interior);
         vec![
             Equation::new("2 d/dt Σ̊_S ∫Θvω_S")
                 .left(rate, m.rate.s.clone())
                 .right(turned, minus(&sum))
-                .right("∫Θ Tr(σ|_S)vω_S", minus(&m.at.a::<K>().s))
+                .right("∫Θ Tr(σ|_S)vω_S", minus(&m.at.a().s))
                 .vanishes(N == 2, POINTS)
                 .forge("the printed sign of τ", turned, sum)
                 .forge("the factor 2 dropped", rate, times(0.5, &m.rate.s)),
@@ -144,9 +143,9 @@ impl Evolution for M03 {
         pointwise(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
-        let (a, cells) = (m.at.a::<K>(), m.at.div_div::<K>());
-        let turned = m.at.turned::<K>(Interior);
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+        let (a, cells) = (m.at.a(), m.at.div_div());
+        let turned = m.at.turned(Interior);
         let on_cells = Equation::new("on cells")
             .left("d/dt ∫Rvω", m.rate.t.clone())
             .vanishes(at.degree == 0, FLAT)
@@ -155,7 +154,7 @@ impl Evolution for M03 {
             .right("−∫⟨G,σ⟩vω", minus(&a.t))
             .vanishes(at.degree == 0 || N == 2, NO_G)
             .magnitude(turned.clone());
-        let flux = minus(&m.at.faces::<K>(Interior, FaceTerms::flux));
+        let flux = minus(&m.at.faces(Interior, FaceTerms::flux));
         let right = [cells, flux, minus(&turned)];
         let whole = six_terms(&m.rate, right, &a, (at.degree == 0, N == 2));
         vec![

@@ -5,9 +5,8 @@ use crate::stage::fields::{Patch, Regge};
 use crate::stage::mesh::{OnMesh, POINTS_IN_T, QUADRATURE, Tested, Three, minus, rates, too_few};
 use num_dual::Dual64;
 use regge_curvature::field::Combination;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{
-    Rules, a_h_with, b_h_with, distributional_curvature_with, smooth_curvature,
+    Rules, a_h, b_h, distributional_curvature, smooth_curvature,
 };
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
@@ -17,7 +16,7 @@ use regge_curvature::spaces::{Lagrange, ReggeSpace};
 use std::marker::PhantomData;
 
 /// A smooth metric g and one of its interpolants g_h.
-struct Ends<K, const N: usize> {
+struct Ends<const N: usize> {
     g: Smooth<Patch<N>, N>,
     g_h: Regge<f64, N>,
     space: Lagrange<N>,
@@ -25,7 +24,7 @@ struct Ends<K, const N: usize> {
     formulas: PhantomData<K>,
 }
 
-impl<K: Formulas, const N: usize> Ends<K, N> {
+impl<const N: usize> Ends<N> {
     /// Those of a case.
     fn draw(at: &Setting, draw: &mut Draw) -> Self {
         let mesh: Mesh<N> = at.shape.mesh();
@@ -36,7 +35,7 @@ impl<K: Formulas, const N: usize> Ends<K, N> {
             g_h: interpolant(at.pick, &regge, &g),
             g,
             space: Lagrange::new(&mesh, at.test),
-            rules: Rules::new::<N>(at.order),
+            rules: at.rules(N),
             formulas: PhantomData,
         }
     }
@@ -49,8 +48,8 @@ impl<K: Formulas, const N: usize> Ends<K, N> {
     fn forms(&self, t: f64) -> [Vec<f64>; 2] {
         let sigma = Combination::new(-1.0, &self.g, 1.0, &self.g_h);
         let g = Combination::segment(&self.g, &self.g_h, t);
-        let b = b_h_with::<K, f64, N, _, _>(&g, &sigma, &self.space, &self.rules).total();
-        let a = a_h_with::<K, f64, N, _, _>(&g, &sigma, &self.space, &self.rules).total();
+        let b = b_h(&g, &sigma, &self.space, &self.rules).total();
+        let a = a_h(&g, &sigma, &self.space, &self.rules).total();
         [self.inner(&b), minus(&self.inner(&a))]
     }
 
@@ -72,8 +71,8 @@ impl<K: Formulas, const N: usize> Ends<K, N> {
     /// ⟨(Rω)_dist(g_h), v⟩ − ⟨(Rω)(g), v⟩ = ∫ b_h − ∫ a_h; with fewer points in t it must not hold.
     fn equation(&self, at: &Setting) -> Equation<f64> {
         let (space, rules) = (&self.space, &self.rules);
-        let to = distributional_curvature_with::<K, f64, N, _>(&self.g_h, space, rules).total();
-        let from = smooth_curvature::<f64, N, _>(&self.g, space, &rules.cells);
+        let to = distributional_curvature(&self.g_h, space, rules).total();
+        let from = smooth_curvature(&self.g, space, &rules.cells);
         let [b, a] = self.integral(POINTS_IN_T);
         let mut equation = Equation::new("integral formula")
             .left("⟨(Rω)_dist(g_h),v⟩", self.inner(&to))
@@ -95,10 +94,10 @@ impl<K: Formulas, const N: usize> Ends<K, N> {
     fn rate_equation(&self, t: f64) -> Equation<f64> {
         let moving = Combination::segment(&self.g, &self.g_h, Dual64::new(t, 1.0));
         let (space, rules) = (&self.space, &self.rules);
-        let sums = distributional_curvature_with::<K, Dual64, N, _>(&moving, space, rules);
+        let sums = distributional_curvature(&moving, space, rules);
         let Three { t: cells, f, s } = Tested::Inner.of_sums(space, &rates(&sums));
         let [b, a] = self.forms(t);
-        let curvature = smooth_curvature::<f64, N, _>(&self.g, space, &rules.cells);
+        let curvature = smooth_curvature(&self.g, space, &rules.cells);
         Equation::new("at one t")
             .left("d/dt Σ_T ∫Rvω", cells)
             .left("d/dt 2Σ̊_F ∫⟦H⟧vω_F", f)
@@ -175,8 +174,8 @@ impl OnMesh for M06 {
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        vec![Ends::<K, N>::draw(at, draw).equation(at)]
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        vec![Ends::<N>::draw(at, draw).equation(at)]
     }
 }
 
@@ -192,8 +191,8 @@ impl OnMesh for AtOneTime {
         settings(dimension, if quick { 2 } else { 3 }, 1)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let t = draw.numbers(1)[0].abs();
-        vec![Ends::<K, N>::draw(at, draw).rate_equation(t)]
+        vec![Ends::<N>::draw(at, draw).rate_equation(t)]
     }
 }

@@ -9,7 +9,6 @@ use crate::stage::mesh::{
     on_one_simplex, orders, outward_of_face,
 };
 use crate::stage::point::Face;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{Rules, Sums, smooth_curvature};
 use regge_curvature::jet::Jet1;
 use regge_curvature::riemann::Connection;
@@ -20,7 +19,7 @@ use regge_curvature::spaces::Lagrange;
 pub struct M17;
 
 /// 2Σ_F ∫Hvω_F over all faces of all cells.
-fn on_faces<K: Formulas, T: Clock, const N: usize>(
+fn on_faces<T: Clock, const N: usize>(
     g: &Regge<T, N>,
     space: &Lagrange<N>,
     rules: &Rules,
@@ -30,13 +29,13 @@ fn on_faces<K: Formulas, T: Clock, const N: usize>(
     integral(space, N - 1, &rules.faces, &mut faces, &|_, side, p| {
         let connection = Connection::new(&g.jet1(side, p));
         let nu = outward_of_face::<T, N>(side.place).map(Jet1::constant);
-        let face = Face::new::<K>(&connection, &nu);
+        let face = Face::new(&connection, &nu);
         face.h * face.omega * T::from_f64(2.0)
     })
 }
 
 /// −2Σ_S ∫θvω_S over all hinges of all cells.
-fn on_hinges<K: Formulas, T: Clock, const N: usize>(
+fn on_hinges<T: Clock, const N: usize>(
     g: &Regge<T, N>,
     space: &Lagrange<N>,
     rules: &Rules,
@@ -45,7 +44,7 @@ fn on_hinges<K: Formulas, T: Clock, const N: usize>(
     let mut hinges = 0..space.mesh().count(N - 2);
     integral(space, N - 2, &rules.hinges, &mut hinges, &|_, side, p| {
         let value = g.value(side, p);
-        let hinge = HingeTerms::<T>::new::<K, N>(&value, &value, side.place);
+        let hinge = HingeTerms::<T>::new::<N>(&value, &value, side.place);
         hinge.theta * hinge.omega * T::from_f64(-2.0)
     })
 }
@@ -69,25 +68,25 @@ impl Evolution for M17 {
     }
 
     /// Production's own for R; its sums over interior faces and hinges are empty.
-    fn functional<K: Formulas, T: Clock, const N: usize>(
+    fn functional<T: Clock, const N: usize>(
         g: &Regge<T, N>,
         space: &Lagrange<N>,
         rules: &Rules,
     ) -> Sums<T> {
         Sums {
             cells: smooth_curvature(g, space, &rules.cells),
-            faces: on_faces::<K, T, N>(g, space, rules),
-            hinges: on_hinges::<K, T, N>(g, space, rules),
+            faces: on_faces::<T, N>(g, space, rules),
+            hinges: on_hinges::<T, N>(g, space, rules),
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
-        let (b, a) = (m.at.b::<K>(), m.at.a::<K>());
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+        let (b, a) = (m.at.b(), m.at.a());
         let (flat, surface) = (at.degree == 0, N == 2);
-        let form = minus(&m.at.faces::<K>(Everywhere, |q| q.second_form));
-        let plain = minus(&m.at.faces::<K>(Everywhere, |q| q.plain_second_form));
+        let form = minus(&m.at.faces(Everywhere, |q| q.second_form));
+        let plain = minus(&m.at.faces(Everywhere, |q| q.plain_second_form));
         let angles =
-            m.at.hinges::<K>(Everywhere, |q| -q.theta * q.trace * q.omega);
+            m.at.hinges(Everywhere, |q| -q.theta * q.trace * q.omega);
         vec![
             Equation::new("one simplex")
                 .left("d/dt ∫Rvω", m.rate.t.clone())
@@ -150,7 +149,7 @@ impl Evolution for P04 {
             .collect()
     }
 
-    fn functional<K: Formulas, T: Clock, const N: usize>(
+    fn functional<T: Clock, const N: usize>(
         g: &Regge<T, N>,
         space: &Lagrange<N>,
         rules: &Rules,
@@ -164,8 +163,8 @@ impl Evolution for P04 {
         }
     }
 
-    fn equations<K: Formulas, const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
-        let (rate, g) = (&m.rate.t, minus(&m.at.a::<K>().t));
+    fn equations<const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+        let (rate, g) = (&m.rate.t, minus(&m.at.a().t));
         let inner = |v: &[f64]| compact(&m.at.space, v);
         let variation = |name, rate, div_div, g| {
             Equation::new(name)
@@ -174,10 +173,10 @@ impl Evolution for P04 {
                 .right("−∫⟨G,σ⟩vω", g)
                 .vanishes(N == 2, NO_G)
         };
-        let (weakly, wrong) = (m.at.b::<K>().t, m.at.b::<HalfTrace>().t);
+        let (weakly, wrong) = (m.at.b().t, m.at.b::<HalfTrace>().t);
         let weak = variation("compact support", inner(rate), inner(&weakly), inner(&g));
         vec![
-            variation("any v", rate.clone(), m.at.div_div::<K>(), g),
+            variation("any v", rate.clone(), m.at.div_div(), g),
             // The second derivatives of v cancel: of a size as with functions without compact support.
             weak.magnitude(weakly)
                 .forge("𝕊 with ½", DIV_DIV, inner(&wrong)),

@@ -5,7 +5,6 @@ use crate::stage::mesh::{
     Evolution, FLAT, HalfTrace, InteriorFaces, Moving, NO_G, NO_II, POINTS, PlainSecondForm,
     QUADRATURE, Tested, Three, everywhere, minus, times,
 };
-use regge_curvature::formulas::Formulas;
 use regge_curvature::spaces::Lagrange;
 
 /// What both sides of thm:distcurvdot are made of, for some test functions.
@@ -38,8 +37,8 @@ impl Evolution for M05 {
         everywhere(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
-        let (rate, b, a) = (m.rate.clone(), m.at.b::<K>(), m.at.a::<K>());
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+        let (rate, b, a) = (m.rate.clone(), m.at.b(), m.at.a());
         let wrong = Wrong {
             b_f: m.at.b::<InteriorFaces>().f,
             b_t: m.at.b::<HalfTrace>().t,

@@ -1,5 +1,8 @@
 //! Where a claim on meshes is tried: meshes, degrees, orders of quadrature, by name. The floor above makes the meshes.
 
+use regge_curvature::formulas::{Formulas, PAPER};
+use regge_curvature::functional::Rules;
+
 /// A mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
@@ -48,6 +51,8 @@ pub struct Setting {
     pub test: usize,
     /// Which of a few: of formulas or interpolants, where a claim has them; else which repetition.
     pub pick: usize,
+    /// By which formulas the library computes: the paper's, unless a sceptic breaks one.
+    pub formulas: Formulas,
 }
 
 impl Setting {
@@ -59,7 +64,13 @@ impl Setting {
             order,
             test: 2,
             pick: 0,
+            formulas: PAPER,
         }
+    }
+
+    /// Rules of the case's order, with its formulas.
+    pub fn rules(&self, dimension: usize) -> Rules {
+        Rules::new(dimension, self.order).with_formulas(self.formulas)
     }
 
     /// The simplest case first: by degree, then by the size of the mesh.

@@ -4,6 +4,7 @@ use crate::harness::case::{Draw, Key, Setting};
 use crate::harness::equation::Equation;
 use crate::harness::judgement::Judgement;
 use crate::harness::tally::{Case, Tally};
+use regge_curvature::formulas::Formulas;
 
 /// Equations between integrals over meshes.
 #[derive(Clone, Copy, Debug)]
@@ -28,10 +29,14 @@ impl OnMeshes {
     }
 
     /// Does all cases, each with randomness of its own.
-    pub(super) fn run(&self, first: Key<'_>, quick: bool) -> Tally {
+    pub(super) fn run(&self, first: Key<'_>, quick: bool, formulas: &Formulas) -> Tally {
         let mut tally = Tally::new(self.judgement);
         let settings = self.settings(first.dimension, quick);
         for (number, at) in settings.into_iter().enumerate() {
+            let at = Setting {
+                formulas: *formulas,
+                ..at
+            };
             let key = Key {
                 case: number,
                 ..first

@@ -12,6 +12,7 @@ use super::judgement::Method;
 use super::record::{Excuses, Record};
 use super::scalar::Ground;
 use crate::exact::Fp;
+use regge_curvature::formulas::{Formulas, PAPER};
 
 /// How much work one entry may do, and where its randomness comes from.
 #[derive(Clone, Copy, Debug)]
@@ -20,17 +21,27 @@ pub struct Budget {
     pub seed: u64,
     /// A quicker draw: fewer instances, fewer and smaller meshes, lower orders.
     pub quick: bool,
+    /// By which formulas the library computes.
+    pub formulas: Formulas,
 }
 
 impl Budget {
     /// The full catalogue.
     pub fn full(seed: u64) -> Self {
-        Self { seed, quick: false }
+        Self {
+            seed,
+            quick: false,
+            formulas: PAPER,
+        }
     }
 
     /// What `cargo test` runs.
     pub fn quick(seed: u64) -> Self {
-        Self { seed, quick: true }
+        Self {
+            seed,
+            quick: true,
+            formulas: PAPER,
+        }
     }
 }
 
@@ -102,9 +113,9 @@ impl Check {
     pub fn run(&self, budget: &Budget) -> Entry {
         let (key, cases) = (self.key(budget), self.cases(budget));
         let (tally, scalar) = match &self.kind {
-            Kind::Real(check) => (check.run(key, cases), f64::NAME),
-            Kind::Exact(check) => (check.run(key, cases), Fp::NAME),
-            Kind::Mesh(check) => (check.run(key, budget.quick), f64::NAME),
+            Kind::Real(check) => (check.run(key, cases, &budget.formulas), f64::NAME),
+            Kind::Exact(check) => (check.run(key, cases, &budget.formulas), Fp::NAME),
+            Kind::Mesh(check) => (check.run(key, budget.quick, &budget.formulas), f64::NAME),
         };
         let mut entry = tally.finish(self.record, self.dimension, scalar, self.method);
         entry.one_method = self.excuses.one_method.map(str::to_owned);

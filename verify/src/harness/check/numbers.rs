@@ -8,6 +8,7 @@ use crate::harness::scalar::Ground;
 use crate::harness::tally::{Case, Tally};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
+use regge_curvature::formulas::Formulas;
 
 /// Equations between things that are made of random numbers.
 #[derive(Clone, Copy, Debug)]
@@ -18,8 +19,8 @@ pub struct OnNumbers<B> {
     pub cases: Cases,
     /// How many numbers make a case.
     pub count: usize,
-    /// The equations of the case with these numbers.
-    pub equations: fn(&[B]) -> Vec<Equation<B>>,
+    /// The equations of the case with these numbers, the library computing by these formulas.
+    pub equations: fn(&[B], &Formulas) -> Vec<Equation<B>>,
     /// Is a failing case tried again with fewer numbers? Not where each try takes seconds.
     pub shrinks: bool,
 }
@@ -34,7 +35,7 @@ struct Drawn<B> {
 
 impl<B: Ground> OnNumbers<B> {
     /// Does so many cases, each with randomness of its own.
-    pub(super) fn run(&self, first: Key<'_>, cases: usize) -> Tally {
+    pub(super) fn run(&self, first: Key<'_>, cases: usize, formulas: &Formulas) -> Tally {
         let mut tally = Tally::new(self.judgement);
         for number in 0..cases {
             let case = Case {
@@ -45,7 +46,7 @@ impl<B: Ground> OnNumbers<B> {
                 case: number,
                 ..first
             };
-            let Some(drawn) = self.draw(&mut key.runner()) else {
+            let Some(drawn) = self.draw(&mut key.runner(), formulas) else {
                 let what = "no draw had all the roots that the claim takes";
                 tally.fail(&case, what.to_owned());
                 break;
@@ -53,7 +54,7 @@ impl<B: Ground> OnNumbers<B> {
             tally.redrawn(drawn.spoilt);
             if !tally.add(&case, &drawn.equations) {
                 if self.shrinks {
-                    tally.shrunk(self.shrink(drawn.numbers));
+                    tally.shrunk(self.shrink(drawn.numbers, formulas));
                 }
                 break;
             }
@@ -62,12 +63,12 @@ impl<B: Ground> OnNumbers<B> {
     }
 
     /// Draws until all roots exist. None if they never do.
-    fn draw(&self, runner: &mut TestRunner) -> Option<Drawn<B>> {
+    fn draw(&self, runner: &mut TestRunner, formulas: &Formulas) -> Option<Drawn<B>> {
         let strategy = proptest::collection::vec(B::number(), self.count);
         for spoilt in 0..=B::REDRAWS {
             let tree = strategy.new_tree(runner);
             let numbers = tree.expect("a list of one length is drawn").current();
-            let equations = (self.equations)(&numbers);
+            let equations = (self.equations)(&numbers, formulas);
             if B::REDRAWS == 0 || !equations.iter().any(Equation::is_poisoned) {
                 return Some(Drawn {
                     equations,
@@ -81,10 +82,10 @@ impl<B: Ground> OnNumbers<B> {
 
     /// Sets every number to zero that the failure does not need, one after the other: a thousand numbers become a
     /// handful, which proptest's own search does not reach in reasonable time.
-    fn shrink(&self, mut numbers: Vec<B>) -> Vec<String> {
+    fn shrink(&self, mut numbers: Vec<B>, formulas: &Formulas) -> Vec<String> {
         for k in 0..numbers.len() {
             let kept = std::mem::replace(&mut numbers[k], B::zero());
-            let equations = (self.equations)(&numbers);
+            let equations = (self.equations)(&numbers, formulas);
             let usable = !equations.iter().any(Equation::is_poisoned);
             let holds = || Tally::new(self.judgement).add(&Case::default(), &equations);
             if !usable || holds() {

@@ -3,7 +3,6 @@
 use crate::harness::{
     Check, Draw, Equation, Excuses, Judgement, Kind, Method, OnMeshes, Record, Setting, has,
 };
-use regge_curvature::formulas::Formulas;
 
 /// A statement about fields on a mesh.
 pub trait OnMesh: 'static {
@@ -22,12 +21,12 @@ pub trait OnMesh: 'static {
     fn settings(dimension: usize, quick: bool) -> Vec<Setting>;
 
     /// The equations of one case.
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>>;
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>>;
 }
 
 /// Adds a claim in dimension N, if it is meaningful there. The condition is a constant, so that nothing is compiled for
 /// dimensions that a claim does not have.
-pub fn add<C: OnMesh, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
+pub fn add<C: OnMesh, const N: usize>(all: &mut Vec<Check>) {
     if const { has(C::DIMENSIONS, N) } {
         all.push(Check {
             record: &C::RECORD,
@@ -37,7 +36,7 @@ pub fn add<C: OnMesh, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
             kind: Kind::Mesh(OnMeshes {
                 judgement: C::JUDGEMENT,
                 settings: C::settings,
-                equations: C::equations::<K, N>,
+                equations: C::equations::<N>,
             }),
         });
     }

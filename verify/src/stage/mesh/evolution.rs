@@ -11,8 +11,7 @@ use super::sums::{Three, rates, values};
 use crate::harness::{Check, Draw, Equation, Judgement, Method, Record, Setting, Shape};
 use crate::stage::fields::{Regge, combination, metric, moving, test_function};
 use num_dual::Dual64;
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{Rules, Sums, distributional_curvature_with};
+use regge_curvature::functional::{Rules, Sums, distributional_curvature};
 use regge_curvature::quadrature::gauss_legendre;
 use regge_curvature::scalar::{Lift, Real};
 use regge_curvature::spaces::Lagrange;
@@ -63,22 +62,22 @@ pub trait Evolution: 'static {
     }
 
     /// F: by default the three sums of ⟨(Rω)_dist(g), v⟩.
-    fn functional<K: Formulas, T: Clock, const N: usize>(
+    fn functional<T: Clock, const N: usize>(
         g: &Regge<T, N>,
         space: &Lagrange<N>,
         rules: &Rules,
     ) -> Sums<T> {
-        distributional_curvature_with::<K, T, N, _>(g, space, rules)
+        distributional_curvature(g, space, rules)
     }
 
     /// The equations, linear in σ and in the rates.
-    fn equations<K: Formulas, const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>>;
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>>;
 }
 
 /// Adds a statement in dimension N by both methods.
-pub fn add_evolution<C: Evolution, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
-    add::<ByAd<C>, K, N>(all);
-    add::<ByPath<C>, K, N>(all);
+pub fn add_evolution<C: Evolution, const N: usize>(all: &mut Vec<Check>) {
+    add::<ByAd<C>, N>(all);
+    add::<ByPath<C>, N>(all);
 }
 
 /// A functional of g, as data.
@@ -99,8 +98,8 @@ impl<C: Evolution> OnMesh for ByAd<C> {
         C::settings(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        C::equations::<K, N>(at, &at_zero(at, draw, C::functional::<K, Dual64, N>))
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        C::equations::<N>(at, &at_zero(at, draw, C::functional::<Dual64, N>))
     }
 }
 
@@ -133,9 +132,9 @@ impl<C: Evolution> OnMesh for ByPath<C> {
         C::paths(dimension, quick)
     }
 
-    fn equations<K: Formulas, const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let path = Path::draw(at, draw, C::functional::<K, f64, N>);
-        path.equations(at, C::equations::<K, N>)
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        let path = Path::draw(at, draw, C::functional::<f64, N>);
+        path.equations(at, C::equations::<N>)
     }
 }
 
@@ -152,7 +151,7 @@ impl<const N: usize> Path<N> {
     fn draw(at: &Setting, draw: &mut Draw, functional: Functional<f64, N>) -> Self {
         let (regge, space) = spaces(at);
         let ends = [metric(&regge, draw), metric(&regge, draw)];
-        let rules = Rules::new::<N>(at.order);
+        let rules = at.rules(N);
         let [from, to] = ends.each_ref().map(|g| functional(g, &space, &rules));
         let (from, to) = (values(from), values(to));
         let minus = |x: Vec<f64>, y: Vec<f64>| x.iter().zip(&y).map(|(x, y)| x - y).collect();

@@ -4,8 +4,7 @@ use super::sums::{Three, values};
 use super::terms::{FaceTerms, HingeTerms, div_div, outward_of_face};
 use crate::harness::{Draw, Setting};
 use crate::stage::fields::{Regge, Seen, integral, metric, points_of, variation};
-use regge_curvature::formulas::Formulas;
-use regge_curvature::functional::{Rules, a_h_with, b_h_with};
+use regge_curvature::functional::{Rules, a_h, b_h};
 use regge_curvature::hypersurface::Normal;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Vector, apply, contract, inverse_and_det};
@@ -54,7 +53,7 @@ impl<const N: usize> Pair<N> {
 
     /// This pair, with rules of one order.
     pub fn new(space: Lagrange<N>, order: usize, g: Regge<f64, N>, sigma: Regge<f64, N>) -> Self {
-        let rules = Rules::new::<N>(order);
+        let rules = Rules::new(N, order);
         Self {
             space,
             rules,
@@ -68,40 +67,40 @@ impl<const N: usize> Pair<N> {
         (0..mesh.count(k)).filter(move |&s| on == Where::Everywhere || mesh.is_interior(k, s))
     }
 
-    /// b_h(g; σ, v) by the formulas K.
-    pub fn b<K: Formulas>(&self) -> Three {
-        let sums = b_h_with::<K, f64, N, _, _>(&self.g, &self.sigma, &self.space, &self.rules);
+    /// b_h(g; σ, v).
+    pub fn b(&self) -> Three {
+        let sums = b_h(&self.g, &self.sigma, &self.space, &self.rules);
         values(sums)
     }
 
-    /// a_h(g; σ, v) by the formulas K.
-    pub fn a<K: Formulas>(&self) -> Three {
-        let sums = a_h_with::<K, f64, N, _, _>(&self.g, &self.sigma, &self.space, &self.rules);
+    /// a_h(g; σ, v).
+    pub fn a(&self) -> Three {
+        let sums = a_h(&self.g, &self.sigma, &self.space, &self.rules);
         values(sums)
     }
 
     /// Σ_T ∫ (div div 𝕊σ) v ω.
-    pub fn div_div<K: Formulas>(&self) -> Vec<f64> {
+    pub fn div_div(&self) -> Vec<f64> {
         let rule = &self.rules.cells;
         let g = Seen::<f64, N, _>::new(&self.g, N, rule);
         let sigma = Seen::<f64, N, _>::new(&self.sigma, N, rule);
         let mut cells = 0..self.space.mesh().cell_count();
         integral(&self.space, N, rule, &mut cells, &|_, side, p| {
-            div_div::<K, N>(&g.jet2(side, p), &sigma.jet2(side, p))
+            div_div::<N>(&g.jet2(side, p), &sigma.jet2(side, p))
         })
     }
 
     /// Σ_F ∫ ⟦q⟧ v ω_F.
-    pub fn faces<K: Formulas>(&self, on: Where, q: fn(&FaceTerms) -> f64) -> Vec<f64> {
-        self.signed_faces::<K>(on, 1.0, q)
+    pub fn faces(&self, on: Where, q: fn(&FaceTerms) -> f64) -> Vec<f64> {
+        self.signed_faces(on, 1.0, q)
     }
 
     /// The same with a difference in the place of the sum of both sides: wrong.
-    pub fn differences<K: Formulas>(&self, q: fn(&FaceTerms) -> f64) -> Vec<f64> {
-        self.signed_faces::<K>(Where::Interior, -1.0, q)
+    pub fn differences(&self, q: fn(&FaceTerms) -> f64) -> Vec<f64> {
+        self.signed_faces(Where::Interior, -1.0, q)
     }
 
-    fn signed_faces<K: Formulas>(
+    fn signed_faces(
         &self,
         on: Where,
         second: f64,
@@ -112,31 +111,31 @@ impl<const N: usize> Pair<N> {
         let sigma = Seen::<f64, N, _>::new(&self.sigma, N - 1, rule);
         let mut faces = self.chosen(N - 1, on);
         integral(&self.space, N - 1, rule, &mut faces, &|face, side, p| {
-            let terms = FaceTerms::new::<K, N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
+            let terms = FaceTerms::new::<N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
             let first = mesh.first_side(N - 1, face) == side;
             if first { q(&terms) } else { second * q(&terms) }
         })
     }
 
     /// Σ_S Σ_T ∫ q v: q as each cell sees it.
-    pub fn hinges<K: Formulas>(&self, on: Where, q: fn(&HingeTerms<f64>) -> f64) -> Vec<f64> {
+    pub fn hinges(&self, on: Where, q: fn(&HingeTerms<f64>) -> f64) -> Vec<f64> {
         let rule = &self.rules.hinges;
         let g = Seen::<f64, N, _>::new(&self.g, N - 2, rule);
         let sigma = Seen::<f64, N, _>::new(&self.sigma, N - 2, rule);
         let mut hinges = self.chosen(N - 2, on);
         integral(&self.space, N - 2, rule, &mut hinges, &|_, side, p| {
             let (g, sigma) = (g.value(side, p), sigma.value(side, p));
-            q(&HingeTerms::new::<K, N>(&g, &sigma, side.place))
+            q(&HingeTerms::new::<N>(&g, &sigma, side.place))
         })
     }
 
     /// Σ_S ∫ Σ_F ⟦σ(n,τ)⟧ v ω_S.
-    pub fn turned<K: Formulas>(&self, on: Where) -> Vec<f64> {
-        self.hinges::<K>(on, |q| q.normal_conormal)
+    pub fn turned(&self, on: Where) -> Vec<f64> {
+        self.hinges(on, |q| q.normal_conormal)
     }
 
     /// ∫_∂T 𝕊σ(n,∇v) ω_F for every v, of the only cell.
-    pub fn normal_gradient<K: Formulas>(&self) -> Vec<f64> {
+    pub fn normal_gradient(&self) -> Vec<f64> {
         let rule = &self.rules.faces;
         let basis = Bernstein::new(N + 1, self.space.degree());
         let g = Seen::<f64, N, _>::new(&self.g, N - 1, rule);
@@ -160,7 +159,7 @@ impl<const N: usize> Pair<N> {
     }
 
     /// −∫_T (div 𝕊σ)(∇v) ω for every v, of the only cell.
-    pub fn div_gradient<K: Formulas>(&self) -> Vec<f64> {
+    pub fn div_gradient(&self) -> Vec<f64> {
         let rule = &self.rules.cells;
         let basis = Bernstein::new(N + 1, self.space.degree());
         let table = basis.tabulate_jets::<f64, N>(rule.points());

@@ -2,7 +2,6 @@
 //! made of, from covariant derivatives of σ.
 
 use crate::stage::point::{Face, divergence_terms, reversed};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::outward;
 use regge_curvature::jet::{Jet1, Jet2};
@@ -12,7 +11,7 @@ use regge_curvature::scalar::Real;
 use regge_curvature::simplex::subsets;
 
 /// (div div 𝕊σ) ω.
-pub fn div_div<K: Formulas, const N: usize>(
+pub fn div_div<const N: usize>(
     g: &Mat<Jet2<f64, N>, N>,
     sigma: &Mat<Jet2<f64, N>, N>,
 ) -> f64 {
@@ -59,7 +58,7 @@ pub struct FaceTerms {
 
 impl FaceTerms {
     /// On the face at this place of the cell.
-    pub fn new<K: Formulas, const N: usize>(
+    pub fn new<const N: usize>(
         g: &Mat<Jet2<f64, N>, N>,
         sigma: &Mat<Jet1<f64, N>, N>,
         place: usize,
@@ -67,12 +66,12 @@ impl FaceTerms {
         let around = Connection::new(g);
         let at = around.lower();
         let nu = outward_of_face::<f64, N>(place).map(Jet1::constant);
-        let face = Face::new::<K>(&at, &nu);
-        let s_sigma = reversed::<K, f64, N>(&around, sigma);
+        let face = Face::new(&at, &nu);
+        let s_sigma = reversed::<f64, N>(&around, sigma);
         let (value, n, omega) = (sigma.map(|x| x.value), &face.normal.n, face.omega);
         let s_value = s_sigma.map(|x| x.value);
         Self {
-            second_form: face.normal.inner(&face.trace_reversed::<K>(&at), &value) * omega,
+            second_form: face.normal.inner(&face.trace_reversed(&at), &value) * omega,
             plain_second_form: face.normal.inner(&face.second_form, &value) * omega,
             div_s: contract(&at.div_tensor(&s_sigma), n) * omega,
             div: contract(&at.div_tensor(sigma), n) * omega,
@@ -106,7 +105,7 @@ pub struct HingeTerms<T> {
 
 impl<T: Real> HingeTerms<T> {
     /// On the hinge at this place of the cell.
-    pub fn new<K: Formulas, const N: usize>(
+    pub fn new<const N: usize>(
         g: &Mat<T, N>,
         sigma: &Mat<T, N>,
         place: usize,
@@ -117,7 +116,7 @@ impl<T: Real> HingeTerms<T> {
             .map(outward)
             .collect();
         let hinge = Hinge::new(&inverse, [&nu[0], &nu[1]]);
-        let (sin, cos) = K::dihedral(&hinge);
+        let (sin, cos) = hinge.dihedral();
         let omega = hinge.omega_s(det);
         let side = |f: usize| form(sigma, &hinge.normal(f), &hinge.conormal(f));
         Self {

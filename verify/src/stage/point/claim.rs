@@ -6,7 +6,6 @@ use crate::harness::{
     Cases, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record, Timed, has,
 };
 use num_dual::Dual64;
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
 
 /// The scalars that a pointwise claim runs over.
@@ -25,7 +24,7 @@ pub enum Over {
 /// One statement that holds at every point, for any jets of the metric.
 ///
 /// The body is written once. Over `Dual64` it differentiates in time through the library's own code; over
-/// `Jet1<Fp, 1>` the same code is exact. Formulas that the paper states go through `K`.
+/// `Jet1<Fp, 1>` the same code is exact. Densities are computed by [`Instance::formulas`].
 pub trait Pointwise: 'static {
     /// What the page says.
     const RECORD: Record;
@@ -42,7 +41,7 @@ pub trait Pointwise: 'static {
     const EXCUSES: Excuses = Excuses::NONE;
 
     /// The equations at one instance.
-    fn equations<K: Formulas, S: Timed, const N: usize>(
+    fn equations<S: Timed, const N: usize>(
         i: &Instance<S, N>,
     ) -> Vec<Equation<S::Base>>;
 }
@@ -75,7 +74,7 @@ fn over_all(cases: Cases, dimensions: &[usize]) -> Cases {
 /// Adds a claim in dimension N by both methods, as far as it is meaningful there.
 ///
 /// The conditions are constants, so that nothing is compiled for dimensions and scalars that a claim does not have.
-pub fn add<C: Pointwise, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
+pub fn add<C: Pointwise, const N: usize>(all: &mut Vec<Check>) {
     if const { has(C::DIMENSIONS, N) && !matches!(C::OVER, Over::Integers) } {
         let method = match C::OVER {
             Over::Oracle => Method::Oracle,
@@ -87,14 +86,14 @@ pub fn add<C: Pointwise, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
                 tolerance: C::TOLERANCE,
             },
         };
-        let check = on_numbers::<C, K, Dual64, N>(REAL, judgement);
+        let check = on_numbers::<C, Dual64, N>(REAL, judgement);
         all.push(of_claim::<C>(N, method, Kind::Real(check)));
     }
     if const { has(C::DIMENSIONS, N) && !matches!(C::OVER, Over::Ordered) } {
         let judgement = Judgement::Exact {
             degree: degree_bound(N, C::ROOTS),
         };
-        let check = on_numbers::<C, K, Jet1<Fp, 1>, N>(EXACT, judgement);
+        let check = on_numbers::<C, Jet1<Fp, 1>, N>(EXACT, judgement);
         all.push(of_claim::<C>(N, Method::Exact, Kind::Exact(check)));
     }
 }
@@ -109,7 +108,7 @@ fn of_claim<C: Pointwise>(dimension: usize, method: Method, kind: Kind) -> Check
     }
 }
 
-fn on_numbers<C: Pointwise, K: Formulas, S: Timed, const N: usize>(
+fn on_numbers<C: Pointwise, S: Timed, const N: usize>(
     cases: Cases,
     judgement: Judgement,
 ) -> OnNumbers<S::Base> {
@@ -117,7 +116,7 @@ fn on_numbers<C: Pointwise, K: Formulas, S: Timed, const N: usize>(
         judgement,
         cases: over_all(cases, C::DIMENSIONS),
         count: Instance::<S, N>::count(),
-        equations: |numbers| C::equations::<K, S, N>(&Instance::from_numbers(numbers)),
+        equations: |numbers, formulas| C::equations::<S, N>(&Instance::from_numbers(numbers, formulas)),
         shrinks: true,
     }
 }

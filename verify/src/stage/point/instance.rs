@@ -2,6 +2,7 @@
 
 use super::draw::{self, Source, vary2};
 use crate::harness::Timed;
+use regge_curvature::formulas::{Formulas, PAPER};
 use regge_curvature::jet::{Jet1, Jet2, lower};
 use regge_curvature::linalg::{Mat, Vector, contract};
 use regge_curvature::riemann::{Connection, differential};
@@ -35,23 +36,25 @@ pub struct Instance<S: Timed, const N: usize> {
     pub other: Mat<Jet1<S::Base, N>, N>,
     /// More numbers.
     pub spare: [S::Base; 12],
+    /// By which formulas the library computes.
+    pub formulas: Formulas,
 }
 
 impl<S: Timed, const N: usize> Instance<S, N> {
     /// How many numbers make an instance.
     pub fn count() -> usize {
         let mut source = Source::counting();
-        Self::draw(&mut source);
+        Self::draw(&mut source, &PAPER);
         source.taken()
     }
 
     /// The instance made of these numbers, [`Instance::count`] of them.
     #[inline(never)]
-    pub fn from_numbers(numbers: &[S::Base]) -> Self {
-        Self::draw(&mut Source::new(numbers))
+    pub fn from_numbers(numbers: &[S::Base], formulas: &Formulas) -> Self {
+        Self::draw(&mut Source::new(numbers), formulas)
     }
 
-    fn draw(source: &mut Source<'_, S::Base>) -> Self {
+    fn draw(source: &mut Source<'_, S::Base>, formulas: &Formulas) -> Self {
         let g: Mat<Jet2<S::Base, N>, N> = draw::metric(source);
         let sigma = draw::tensor(source);
         let moving_g = g.zip_map(&sigma, vary2::<S, N>);
@@ -69,6 +72,7 @@ impl<S: Timed, const N: usize> Instance<S, N> {
             seeds: draw::transversal(source, &phi),
             other: lower(&draw::metric(source)),
             spare: std::array::from_fn(|_| source.next()),
+            formulas: *formulas,
         }
     }
 

@@ -2,74 +2,75 @@
 
 use super::instance::{Instance, still_jet};
 use crate::harness::{Ground, Timed};
+use regge_curvature::density::{Normal, Side, surface_div};
 use regge_curvature::formulas::Formulas;
-use regge_curvature::hypersurface::{Normal, mean_curvature, surface_div};
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form};
 use regge_curvature::riemann::Connection;
 use regge_curvature::scalar::Algebraic;
 
-/// A hypersurface through the point: n, II, H and ω_F.
+/// A hypersurface through the point: n, II, H, II‾ and ω_F, as the library's [`Side`] has them.
 #[derive(Clone, Debug)]
 pub struct Face<F: Algebraic, const N: usize> {
-    /// n, |ν| and the tangential part of g⁻¹.
+    /// n, |ν|, the tangential part of g⁻¹, and ω_F relative to the coordinate measure, up to a constant.
     pub normal: Normal<F, N>,
     /// II.
     pub second_form: Mat<F, N>,
     /// H.
     pub h: F,
-    /// ω_F relative to the coordinate measure, up to a constant.
-    pub omega: F,
+    /// II‾.
+    pub trace_reversed: Mat<F, N>,
+    /// H ω_F.
+    pub density: F,
 }
 
 impl<F: Algebraic, const N: usize> Face<F, N> {
-    /// By the formulas K.
+    /// From the connection of g and the jets of ν.
     #[inline(never)]
-    pub fn new<K: Formulas>(connection: &Connection<F, N>, nu: &Vector<Jet1<F, N>, N>) -> Self {
-        let normal = Normal::new(&connection.inverse, &nu.map(|x| x.value));
-        let second_form = K::second_form(connection, nu, &normal);
-        let h = mean_curvature(&normal, &second_form);
+    pub fn new(
+        formulas: &Formulas,
+        connection: &Connection<F, N>,
+        nu: &Vector<Jet1<F, N>, N>,
+    ) -> Self {
+        let side = Side::new(formulas, connection, nu);
         Self {
-            normal,
-            second_form,
-            h,
-            omega: normal.length * connection.det.sqrt(),
+            normal: side.normal,
+            second_form: side.second_form,
+            h: side.mean_curvature,
+            trace_reversed: side.trace_reversed(),
+            density: side.densitized_mean_curvature(),
         }
-    }
-
-    /// II‾.
-    pub fn trace_reversed<K: Formulas>(&self, connection: &Connection<F, N>) -> Mat<F, N> {
-        K::trace_reversed(&connection.g, &self.second_form, self.h)
     }
 }
 
 /// H ω_F of the hypersurface with covector ν in the metric g + t σ.
-pub fn mean_curvature_density<K: Formulas, S: Timed, const N: usize>(
+pub fn mean_curvature_density<S: Timed, const N: usize>(
     i: &Instance<S, N>,
     nu: &Vector<Jet1<S::Base, N>, N>,
 ) -> S {
-    let face = Face::<S, N>::new::<K>(&i.moving0(), &nu.map(still_jet::<S, N>));
-    face.h * face.omega
+    Face::<S, N>::new(&i.formulas, &i.moving0(), &nu.map(still_jet::<S, N>)).density
 }
 
 /// 𝕊σ with first derivatives.
-pub fn reversed<K: Formulas, B: Ground, const N: usize>(
+pub fn reversed<B: Ground, const N: usize>(
+    formulas: &Formulas,
     still: &Connection<Jet1<B, N>, N>,
     sigma: &Mat<Jet1<B, N>, N>,
 ) -> Mat<Jet1<B, N>, N> {
-    K::reverse_trace(&still.g, &still.inverse, sigma)
+    still.reverse_trace(formulas, sigma)
 }
 
 /// div_F(σ(n,·)) with the normal n of the level sets of φ.
 pub fn divergence_terms<B: Ground, const N: usize>(
+    formulas: &Formulas,
     still: &Connection<Jet1<B, N>, N>,
     nu: &Vector<Jet1<B, N>, N>,
     sigma: &Mat<Jet1<B, N>, N>,
 ) -> B {
-    let around = Normal::new(&still.inverse, nu);
-    let flux = apply(sigma, &around.n);
-    let normal = Normal::new(&still.inverse.map(|x| x.value), &nu.map(|x| x.value));
-    surface_div(&still.lower(), &normal, &flux)
+    let around = Normal::new(formulas, &still.inverse, still.det, nu);
+    let (at, flux) = (still.lower(), apply(sigma, &around.n));
+    let normal = Normal::new(formulas, &at.inverse, at.det, &nu.map(|x| x.value));
+    surface_div(&at, &normal, &flux)
 }
 
 /// What the claims on hypersurfaces need at this time: the face F = {φ = 0} and the derivatives of σ.
@@ -98,20 +99,20 @@ pub struct Scene<B: Ground, const N: usize> {
 }
 
 impl<B: Ground, const N: usize> Scene<B, N> {
-    /// By the formulas K, on the hypersurface with covector ν.
+    /// On the hypersurface with covector ν.
     #[inline(never)]
-    pub fn new<K: Formulas, S: Timed<Base = B>>(
+    pub fn new<S: Timed<Base = B>>(
         i: &Instance<S, N>,
         nu: &Vector<Jet1<B, N>, N>,
     ) -> Self {
         let still = i.still();
         let base = still.lower();
-        let face = Face::new::<K>(&base, nu);
+        let face = Face::new(&i.formulas, &base, nu);
         let (sigma1, sigma) = (i.sigma1(), i.sigma0());
-        let div_s = base.div_tensor(&reversed::<K, B, N>(&still, &sigma1));
+        let div_s = base.div_tensor(&reversed(&i.formulas, &still, &sigma1));
         Self {
             div_s_n: contract(&div_s, &face.normal.n),
-            div_f: divergence_terms(&still, nu, &sigma1),
+            div_f: divergence_terms(&i.formulas, &still, nu, &sigma1),
             s_nn: face.normal.normal_normal(&sigma),
             ii_sigma: face.normal.inner(&face.second_form, &sigma),
             nabla: base.nabla_tensor(&sigma1),
@@ -144,14 +145,14 @@ impl<B: Ground, const N: usize> Scene<B, N> {
 }
 
 impl<S: Timed, const N: usize> Instance<S, N> {
-    /// The face F = {φ = 0} and what is on it, by the formulas K.
-    pub fn scene<K: Formulas>(&self) -> Scene<S::Base, N> {
-        Scene::new::<K, S>(self, &self.nu())
+    /// The face F = {φ = 0} and what is on it.
+    pub fn scene(&self) -> Scene<S::Base, N> {
+        Scene::new::<S>(self, &self.nu())
     }
 
     /// H of F = {φ = 0} in the metric g + t σ.
     #[inline(never)]
-    pub fn moving_h<K: Formulas>(&self) -> S {
-        Face::new::<K>(&self.moving0(), &self.nu().map(still_jet::<S, N>)).h
+    pub fn moving_h(&self) -> S {
+        Face::new(&self.formulas, &self.moving0(), &self.nu().map(still_jet::<S, N>)).h
     }
 }

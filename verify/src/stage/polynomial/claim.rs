@@ -3,7 +3,6 @@
 use super::fields::Fields;
 use crate::exact::Fp;
 use crate::harness::{Cases, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record};
-use regge_curvature::formulas::Formulas;
 
 /// An identity between integrals of polynomials.
 pub trait ByParts: 'static {
@@ -11,11 +10,11 @@ pub trait ByParts: 'static {
     const RECORD: Record;
 
     /// The equations between the integrals of the fields that these numbers make.
-    fn equations<K: Formulas, const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>>;
+    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>>;
 }
 
 /// Adds an identity in dimension N.
-pub fn add<C: ByParts, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
+pub fn add<C: ByParts, const N: usize>(all: &mut Vec<Check>) {
     all.push(Check {
         record: &C::RECORD,
         dimension: N,
@@ -26,7 +25,7 @@ pub fn add<C: ByParts, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
             judgement: Judgement::Exact { degree: 100.0 },
             cases: cases(N),
             count: Fields::<N>::COUNT,
-            equations: C::equations::<K, N>,
+            equations: C::equations::<N>,
             shrinks: false,
         }),
     });

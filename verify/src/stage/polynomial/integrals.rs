@@ -3,7 +3,6 @@
 use super::fields::{Domain, Fields, Point};
 use crate::exact::{Fp, on_simplex};
 use crate::stage::point::{Face, reversed};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::hinge::Hinge;
 use regge_curvature::hypersurface::{Normal, outward, surface_div};
 use regge_curvature::jet::{Jet, Jet1, lower, lower_vector};
@@ -37,14 +36,14 @@ pub struct OnFace {
     pub gradient: Fp,
 }
 
-/// One draw on one domain, by the formulas K.
-pub struct Exactly<K, const N: usize> {
+/// One draw on one domain.
+pub struct Exactly<const N: usize> {
     fields: Fields<N>,
     domain: Domain<N>,
     formulas: PhantomData<K>,
 }
 
-impl<K: Formulas, const N: usize> Exactly<K, N> {
+impl<const N: usize> Exactly<N> {
     /// On one simplex.
     pub fn on_single(numbers: &[Fp]) -> Self {
         Self::new(numbers, Domain::single())
@@ -93,9 +92,9 @@ impl<K: Formulas, const N: usize> Exactly<K, N> {
         let vertices: Vec<usize> = (0..=N).filter(|v| *v != opposite).collect();
         let p = self.point(cell, &vertices, lambda);
         let (base, nu) = (p.still.lower(), outward::<Jet1<Fp, N>, N>(opposite));
-        let face = Face::new::<K>(&base, &nu);
+        let face = Face::new(&base, &nu);
         let (sigma, n) = (lower(&p.sigma), face.normal.n);
-        let s_sigma = reversed::<K, Fp, N>(&p.still, &sigma);
+        let s_sigma = reversed::<Fp, N>(&p.still, &sigma);
         let s_value = lower(&s_sigma);
         let flux = apply(&sigma, &Normal::new(&p.still.inverse, &nu).n);
         let v: Jet1<Fp, N> = p.v.lower();
