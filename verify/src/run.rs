@@ -66,7 +66,7 @@ impl fmt::Display for UnknownLabel {
 
 impl std::error::Error for UnknownLabel {}
 
-/// Runs the catalogue with the paper's formulas.
+/// Runs the catalogue.
 ///
 /// # Errors
 /// If a label is unknown.
@@ -99,6 +99,7 @@ pub fn run_catalogue(
     let budget = Budget {
         seed: options.seed,
         quick: options.quick,
+        formulas: options.formulas,
     };
     let total = checks.len();
     let run_one = |check: &Check| {

@@ -43,7 +43,7 @@ use crate::harness::{Check, Record};
 /// The claims of the catalogue, in its order.
 pub type Catalogue = Vec<Check>;
 
-/// All of them, by the formulas of the paper.
+/// All of them.
 pub fn catalogue() -> Catalogue {
     let mut all = Catalogue::new();
     at_a_point::<2>(&mut all);

@@ -22,9 +22,7 @@ impl Pointwise for D01 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (still, sigma) = (i.still(), i.sigma0());
         let base = still.lower();
         let tr: Jet2<S::Base, N> = trace(&inverse_and_det(&i.g).0, &i.sigma);
@@ -71,11 +69,9 @@ impl Pointwise for D02 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
-        let rho = K::reverse_trace(&base.g, &base.inverse, &sigma);
+        let rho = base.reverse_trace(&i.formulas, &sigma);
         let tr = base.trace(&sigma);
         let n = N as i64;
         let half_s = (rho + sigma).map(|x| x * S::Base::half());
@@ -108,11 +104,9 @@ impl Pointwise for I09 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
-        let rho = K::reverse_trace(&base.g, &base.inverse, &sigma);
+        let rho = base.reverse_trace(&i.formulas, &sigma);
         let square = base.inner(&base.g, &sigma) * base.inner(&base.g, &sigma);
         let times = |k: usize| S::Base::from_int(k as i64) * square;
         vec![

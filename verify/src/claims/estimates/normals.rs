@@ -3,13 +3,15 @@
 use crate::harness::{Equation, Excuses, Ground, Record, Timed};
 use crate::stage::point::{Instance, Over, Pointwise};
 use nalgebra::DMatrix;
-use regge_curvature::hypersurface::Normal;
-use regge_curvature::linalg::{Mat, Vector, apply, contract, inverse_and_det};
+use regge_curvature::density::Normal;
+use regge_curvature::linalg::{Mat, Vector, apply, contract};
+use regge_curvature::riemann::Connection;
 use regge_curvature::scalar::{Algebraic, Field};
 
 /// A covector and two inverse metrics.
 struct Pair<B: Ground, const N: usize> {
     nu: Vector<B, N>,
+    normals: [Normal<B, N>; 2],
     metrics: [Mat<B, N>; 2],
     inverses: [Mat<B, N>; 2],
     /// νᵀ g⁻¹ ν.
@@ -19,10 +21,11 @@ struct Pair<B: Ground, const N: usize> {
 impl<B: Ground, const N: usize> Pair<B, N> {
     fn new<S: Timed<Base = B>>(i: &Instance<S, N>) -> Self {
         let nu = i.nu().map(|x| x.value);
-        let metrics = [i.still0().g, i.other.map(|x| x.value)];
-        let inverses = metrics.map(|g| inverse_and_det(&g).0);
+        let both = [i.still0(), Connection::new(&i.other)];
+        let (metrics, inverses) = (both.map(|c| c.g), both.map(|c| c.inverse));
         let squares = inverses.map(|inverse| contract(&nu, &apply(&inverse, &nu)));
         Self {
+            normals: both.map(|c| i.normal(&c, &nu)),
             nu,
             metrics,
             inverses,
@@ -32,10 +35,7 @@ impl<B: Ground, const N: usize> Pair<B, N> {
 
     /// n_1 − n_2.
     fn difference(&self) -> Vector<B, N> {
-        let [one, two] = self
-            .inverses
-            .map(|inverse| Normal::new(&inverse, &self.nu).n);
-        one - two
+        self.normals[0].n - self.normals[1].n
     }
 
     /// (b − a)/(a√b + b√a) with the squares a and b.
@@ -58,13 +58,9 @@ impl Pointwise for I01 {
         sides: "Left: the lengths of ν in two metrics by the library. Right: the closed form.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
-        let [a, b] = pair
-            .inverses
-            .map(|g| S::Base::one() / Normal::new(&g, &pair.nu).length);
+        let [a, b] = pair.normals.map(|n| S::Base::one() / n.length);
         vec![
             Equation::new("1/√a − 1/√b")
                 .left("1/√a", a)
@@ -87,9 +83,7 @@ impl Pointwise for I02 {
         sides: "Left: the library's normals and inverses. Right: products of matrices.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
         let [one, two] = &pair.inverses;
         let scale = S::Base::one() / pair.squares[1].sqrt();
@@ -145,9 +139,7 @@ impl Pointwise for I03 {
     const OVER: Over = Over::Ordered;
     const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
         let most = |a: &[Mat<S::Base, N>; 2]| f64::max(spectral(&a[0]), spectral(&a[1]));
         let (m, mu) = (most(&pair.metrics), most(&pair.inverses));

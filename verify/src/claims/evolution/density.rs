@@ -20,9 +20,7 @@ impl Pointwise for P20 {
             random function and on a plane, for both orientations. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         vec![
             density::<S, N>("curved F", i, &i.nu()),
             density::<S, N>("flat F", i, &i.flat_nu()),
@@ -38,10 +36,8 @@ fn density<S: Timed, const N: usize>(
 ) -> Equation<S::Base> {
     let scene = Scene::new::<S>(i, nu);
     let face = &scene.face;
-    let minus_half = -S::Base::half() * face.omega;
-    let reversed = face
-        .normal
-        .inner(&face.trace_reversed(&scene.base), &scene.sigma);
+    let minus_half = -S::Base::half() * face.normal.omega;
+    let reversed = face.normal.inner(&face.trace_reversed, &scene.sigma);
     Equation::new(name)
         .left("∂_t(Hω_F)", mean_curvature_density::<S, N>(i, nu).rate())
         .right("−½⟨II‾,σ⟩ω_F", minus_half * reversed)
@@ -78,17 +74,15 @@ impl Pointwise for P21 {
     };
     const DIMENSIONS: &'static [usize] = &[2];
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let (face, n1, tau1) = (&scene.face, frame.n1(), frame.tau1()[0]);
         let (n, tau) = (frame.n0(), frame.tau0()[0]);
         let turn = along(&scene.base.nabla_vector(&n1), &tau);
         let bend = along(&scene.base.nabla_vector(&tau1), &tau);
         let shear = derivative(&form(&scene.sigma1, &n1, &tau1), &tau);
-        let reversed = face.trace_reversed(&scene.base);
-        let minus_half = -S::Base::half() * face.omega;
+        let reversed = face.trace_reversed;
+        let minus_half = -S::Base::half() * face.normal.omega;
         vec![
             Equation::new("∇_τ n")
                 .left("∇_τ n", turn)

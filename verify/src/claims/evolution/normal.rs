@@ -2,8 +2,8 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::hypersurface::Normal;
-use regge_curvature::linalg::{Mat, Vector, apply, contract, form};
+use regge_curvature::density::Normal;
+use regge_curvature::linalg::{Mat, Vector, apply, contract, form, identity};
 use regge_curvature::scalar::Field;
 
 /// n.
@@ -19,14 +19,12 @@ impl Pointwise for D12 {
         sides: "Left: products with the library's normal. Right: numbers and the covector itself.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
         let nu = i.nu().map(|x| x.value);
-        let normal = Normal::new(&base.inverse, &nu);
+        let normal = i.normal(&base, &nu);
         let z = i.fields[0].map(|x| x.value.value());
-        let euclidean = Normal::new(&regge_curvature::linalg::identity(), &nu).n;
+        let euclidean = Normal::new(&i.formulas, &identity(), S::Base::one(), &nu).n;
         let on_z = normal.length * form(&base.g, &normal.n, &z);
         vec![
             Equation::new("length")
@@ -61,15 +59,12 @@ impl Pointwise for P07 {
         sides: "Left: g + tσ, its normal and a moving X, differentiated in t. Right: products at t = 0.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, base) = (i.moving0(), i.still0());
         let nu = i.nu().map(|x| x.value);
         let x = i.fields[0].map(|x| x.value);
-        let rate =
-            |nu: Vector<S, N>| form(&moving.g, &Normal::new(&moving.inverse, &nu).n, &x).rate();
-        let n = Normal::new(&base.inverse, &nu).n;
+        let rate = |nu: Vector<S, N>| form(&moving.g, &i.normal(&moving, &nu).n, &x).rate();
+        let n = i.normal(&base, &nu).n;
         let half_nn = S::Base::half() * form(&i.sigma0(), &n, &n);
         let turning = Vector::from_fn(|k, _| S::new(nu[k], i.nu_rate[k]));
         vec![
@@ -99,12 +94,10 @@ impl Pointwise for P08 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, base, sigma) = (i.moving0(), i.still0(), i.sigma0());
         let nu = i.nu().map(|x| S::fixed(x.value));
-        let rate = Normal::new(&moving.inverse, &nu).n.map(S::rate);
+        let rate = i.normal(&moving, &nu).n.map(S::rate);
         let frame = i.frame();
         let (n, tau) = (frame.n0(), frame.tau0());
         let s_n = apply(&sigma, &n);
@@ -150,9 +143,7 @@ impl Pointwise for P09 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (sigma, g): (Mat<S::Base, N>, Mat<S::Base, N>) = (i.sigma0(), i.still0().g);
         let frame = i.frame();
         let (tau, rate) = (frame.tau0(), frame.tau_rate());

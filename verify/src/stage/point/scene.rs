@@ -51,15 +51,6 @@ pub fn mean_curvature_density<S: Timed, const N: usize>(
     Face::<S, N>::new(&i.formulas, &i.moving0(), &nu.map(still_jet::<S, N>)).density
 }
 
-/// 𝕊σ with first derivatives.
-pub fn reversed<B: Ground, const N: usize>(
-    formulas: &Formulas,
-    still: &Connection<Jet1<B, N>, N>,
-    sigma: &Mat<Jet1<B, N>, N>,
-) -> Mat<Jet1<B, N>, N> {
-    still.reverse_trace(formulas, sigma)
-}
-
 /// div_F(σ(n,·)) with the normal n of the level sets of φ.
 pub fn divergence_terms<B: Ground, const N: usize>(
     formulas: &Formulas,
@@ -101,15 +92,12 @@ pub struct Scene<B: Ground, const N: usize> {
 impl<B: Ground, const N: usize> Scene<B, N> {
     /// On the hypersurface with covector ν.
     #[inline(never)]
-    pub fn new<S: Timed<Base = B>>(
-        i: &Instance<S, N>,
-        nu: &Vector<Jet1<B, N>, N>,
-    ) -> Self {
+    pub fn new<S: Timed<Base = B>>(i: &Instance<S, N>, nu: &Vector<Jet1<B, N>, N>) -> Self {
         let still = i.still();
         let base = still.lower();
         let face = Face::new(&i.formulas, &base, nu);
         let (sigma1, sigma) = (i.sigma1(), i.sigma0());
-        let div_s = base.div_tensor(&reversed(&i.formulas, &still, &sigma1));
+        let div_s = base.div_tensor(&still.reverse_trace(&i.formulas, &sigma1));
         Self {
             div_s_n: contract(&div_s, &face.normal.n),
             div_f: divergence_terms(&i.formulas, &still, nu, &sigma1),
@@ -153,6 +141,11 @@ impl<S: Timed, const N: usize> Instance<S, N> {
     /// H of F = {φ = 0} in the metric g + t σ.
     #[inline(never)]
     pub fn moving_h(&self) -> S {
-        Face::new(&self.formulas, &self.moving0(), &self.nu().map(still_jet::<S, N>)).h
+        Face::new(
+            &self.formulas,
+            &self.moving0(),
+            &self.nu().map(still_jet::<S, N>),
+        )
+        .h
     }
 }
