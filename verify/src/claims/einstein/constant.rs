@@ -7,7 +7,7 @@ use crate::stage::point::{Instance, Over, Pointwise};
 use crate::stage::reference::{FlatHinge, hinges, leading_minor};
 use num_dual::Dual64;
 use regge_curvature::linalg::Vector;
-use regge_curvature::scalar::{Algebraic, Field};
+use regge_curvature::scalar::Field;
 
 /// ⟨Gω,σ⟩ = −Σ Θ Tr(σ|_S) V_S.
 pub struct M12;
