@@ -8,9 +8,7 @@
 //! direction of its own. `cargo run --example relax`
 
 use nalgebra::{DMatrix, DVector};
-use regge_curvature::functional::{
-    action_gradient, action_hessian, angle_defects, regge_action,
-};
+use regge_curvature::functional::{action_gradient, action_hessian, angle_defects, regge_action};
 use regge_curvature::mesh::SplitMix64;
 use regge_curvature::simplex::Points;
 use regge_curvature::{Interpolant, Mesh, Metric, ReggeFunction, ReggeSpace, Rules, Smooth};

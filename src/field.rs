@@ -48,9 +48,7 @@ pub trait Evaluate<T: Real, const N: usize>: Sync {
 ///
 /// A field of your own implements [`Evaluate`] for all scalars T and takes `f64` and [`Number::Wide`] of it here:
 /// `type Scalar = f64; type Wide = <f64 as Number>::Wide;`. One that knows a single scalar takes it twice.
-pub trait TensorField<const N: usize>:
-    Evaluate<Self::Scalar, N> + Evaluate<Self::Wide, N>
-{
+pub trait TensorField<const N: usize>: Evaluate<Self::Scalar, N> + Evaluate<Self::Wide, N> {
     /// What sums over the mesh are made of: `f64`, or a dual number for derivatives in the field.
     type Scalar: Real<Sum = Self::Scalar>;
     /// The scalar in which quadrature points are evaluated side by side; the same where there is none wider.

@@ -31,10 +31,7 @@ fn the_total_with_the_boundary_is_four_pi_chi() {
             .total()
             .iter()
             .sum();
-        let outer: f64 = boundary_curvature(&g, &hats, &rules)
-            .total()
-            .iter()
-            .sum();
+        let outer: f64 = boundary_curvature(&g, &hats, &rules).total().iter().sum();
         // The rules of order 24 integrate these metrics to some 1e-13.
         assert!(
             (inner + outer - 4.0 * PI).abs() < ROUNDING,
@@ -94,7 +91,10 @@ fn the_integrals_simplex_by_simplex_add_up() {
         assert!(whole.abs() > 1e-3, "{whole}");
     }
     // A simplex has its own piece and no other's.
-    for (codimension, own) in [&inside.cells, &inside.faces, &inside.hinges].iter().enumerate() {
+    for (codimension, own) in [&inside.cells, &inside.faces, &inside.hinges]
+        .iter()
+        .enumerate()
+    {
         let range = each.range(codimension);
         let others = (0..own.len()).filter(|i| !range.contains(i));
         assert!(others.into_iter().all(|i| own[i] == 0.0), "{codimension}");

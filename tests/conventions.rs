@@ -3,8 +3,7 @@
 use regge_curvature::density::{Normal, Side};
 use regge_curvature::formulas::{Formulas, PAPER};
 use regge_curvature::functional::{
-    Rules, Three, b_h, boundary_curvature, cell_volumes, distributional_curvature,
-    einstein_against,
+    Rules, Three, b_h, boundary_curvature, cell_volumes, distributional_curvature, einstein_against,
 };
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, identity, symmetric};
@@ -75,7 +74,12 @@ fn mean_curvature_is_positive_on_spheres_seen_from_inside() {
         Vector::from_fn(|i, _| Jet1::coordinate(f64::from(u8::from(i == 0)), i));
     let side = Side::new(&PAPER, &connection, &nu);
     let normal = &side.normal;
-    let alone = Normal::new(&PAPER, &connection.inverse, connection.det, &nu.map(|x| x.value));
+    let alone = Normal::new(
+        &PAPER,
+        &connection.inverse,
+        connection.det,
+        &nu.map(|x| x.value),
+    );
     close((alone.n - normal.n).norm(), 0.0);
     close(normal.normal_normal(&connection.g), 1.0);
     close(side.mean_curvature, 2.0);
@@ -112,10 +116,7 @@ fn a_triangle_has_a_volume_and_a_total() {
     let space = ReggeSpace::new(&mesh, 0);
     let g = space.function(vec![1.0; 3]).unwrap();
     let rules = Rules::new(2, 1);
-    close(
-        cell_volumes(&g, &mesh, &rules)[0],
-        3f64.sqrt() / 4.0,
-    );
+    close(cell_volumes(&g, &mesh, &rules)[0], 3f64.sqrt() / 4.0);
     let outer = boundary_curvature(&g, &Lagrange::new(&mesh, 1), &rules);
     close(outer.total().iter().sum(), 4.0 * PI);
     close(outer.hinges[0], 2.0 * (PI - PI / 3.0));

@@ -1,6 +1,6 @@
 //! Fields made of fields, and what tells a metric from a tensor that is none.
 
-use regge_curvature::field::{Combination, Evaluate, PointByPoint, TensorField};
+use regge_curvature::field::{Combination, Evaluate};
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, indefinite_pivot, symmetric};
 use regge_curvature::simplex::Points;

@@ -48,7 +48,10 @@ fn products<const N: usize>(source: &mut Source<'_>) -> Outcome {
     let trace = connection.trace(&sigma);
     close("Tr σ", trace, connection.inner(&connection.g, &sigma))?;
     let reversed = sigma - connection.g * trace;
-    vanishes("𝕊σ", (connection.reverse_trace(&PAPER, &sigma) - reversed).iter())
+    vanishes(
+        "𝕊σ",
+        (connection.reverse_trace(&PAPER, &sigma) - reversed).iter(),
+    )
 }
 
 /// ∇g = 0, div (f g) = df.

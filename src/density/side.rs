@@ -8,7 +8,9 @@
 use super::Volume;
 use crate::formulas::Formulas;
 use crate::jet::{Jet, lower_vector};
-use crate::linalg::{Mat, Vector, apply, contract, double_contract, form, matrix, symmetric, vector};
+use crate::linalg::{
+    Mat, Vector, apply, contract, double_contract, form, matrix, symmetric, vector,
+};
 use crate::riemann::{Connection, inner};
 use crate::scalar::{Algebraic, Field};
 

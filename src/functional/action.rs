@@ -41,7 +41,10 @@ pub fn regge_action<const N: usize, G: TensorField<N>>(
     let ones = vec![1.0; hats.len()];
     let half = G::Scalar::half();
     Action {
-        interior: distributional_curvature(g, &hats, rules).pair(&ones).total() * half,
+        interior: distributional_curvature(g, &hats, rules)
+            .pair(&ones)
+            .total()
+            * half,
         boundary: boundary_curvature(g, &hats, rules).pair(&ones).total() * half,
     }
 }

@@ -97,7 +97,11 @@ fn on<T: Real, const N: usize, G: Evaluate<T, N>>(
     };
     let density = ScalarCurvature::<T, N, G> {
         seen: Seen::new(g, &all_sites(N, rules), formulas),
-        sums: [curved && on == Where::Interior, curved && singular, singular],
+        sums: [
+            curved && on == Where::Interior,
+            curved && singular,
+            singular,
+        ],
         faces: T::from_int(formulas.faces),
         hinges: T::from_int(formulas.hinges),
         angle: T::from_f64(PI) * T::from_int(halves),
@@ -139,7 +143,9 @@ impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for ScalarCurvatu
 
     #[inline]
     fn on_face(&self, at: &Self::Local, place: usize, block: usize, out: &mut [T]) {
-        let h = self.seen.side(at, place, block, |side| side.densitized_mean_curvature());
+        let h = self
+            .seen
+            .side(at, place, block, |side| side.densitized_mean_curvature());
         out[0] = h * self.faces;
     }
 

@@ -104,7 +104,11 @@ impl<T: Real, const N: usize, H: Evaluate<T, N>> Against<T, N> for Field<'_, H, 
         block: usize,
         mut take: impl FnMut(&Mat<T, N>),
     ) {
-        take(&self.sigma.value(at, &self.tables[codimension][place], block));
+        take(
+            &self
+                .sigma
+                .value(at, &self.tables[codimension][place], block),
+        );
     }
 }
 

@@ -32,8 +32,20 @@ fn sums<T: Real, const N: usize, G: Evaluate<T, N>, H: Evaluate<T, N>>(
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let (mesh, len) = (space.mesh(), space.cell_len());
-    let cells = Term::new(g, sigma, space, &Sites::new(N, &rules.cells), &rules.formulas);
-    let faces = Term::new(g, sigma, space, &Sites::new(N, &rules.faces), &rules.formulas);
+    let cells = Term::new(
+        g,
+        sigma,
+        space,
+        &Sites::new(N, &rules.cells),
+        &rules.formulas,
+    );
+    let faces = Term::new(
+        g,
+        sigma,
+        space,
+        &Sites::new(N, &rules.faces),
+        &rules.formulas,
+    );
     let weights = [&rules.cells, &rules.faces].map(weights::<T>);
     let on_cell = |cell: usize, row: &mut [T::Sum], acc: &mut Vec<T>| {
         acc.clear();
@@ -94,7 +106,11 @@ where
             g,
             sigma,
             formulas,
-            tables: sites.tables(g).into_iter().zip(sites.tables(sigma)).collect(),
+            tables: sites
+                .tables(g)
+                .into_iter()
+                .zip(sites.tables(sigma))
+                .collect(),
             basis: (sites.points.iter())
                 .map(|points| basis.tabulate_jets(points))
                 .collect(),

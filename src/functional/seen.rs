@@ -119,10 +119,7 @@ impl<'a, T: Real, const N: usize, G: Evaluate<T, N>> Seen<'a, T, N, G> {
     ) -> R {
         let g = self.g.jet2(&at.local, &self.tables[0][0], block);
         let connection = Connection::new(&lower(&g));
-        of(
-            &Inside::new(self.formulas, &g, &connection),
-            &connection,
-        )
+        of(&Inside::new(self.formulas, &g, &connection), &connection)
     }
 
     /// ω in the cell at a block of points.

@@ -69,7 +69,11 @@ fn volumes<T: Real, const N: usize, G: Evaluate<T, N>>(
     let density = Volumes::<T, N, G>(Seen::new(g, &all_sites(N, rules), &rules.formulas));
     let each = Indicators::new(mesh);
     let sums = pair(mesh, &density, Where::Interior, &[&each], rules);
-    let mut cells = sums.into_iter().next().expect("one space, one result").cells;
+    let mut cells = sums
+        .into_iter()
+        .next()
+        .expect("one space, one result")
+        .cells;
     cells.truncate(mesh.cell_count());
     cells
 }

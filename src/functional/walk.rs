@@ -116,7 +116,8 @@ impl<'a, D, const N: usize> Cells<'a, D, N> {
     ) {
         let (part, k) = (self.parts[codimension], N - codimension);
         let simplices = self.mesh.simplices_of(cell, k);
-        let chunks = out[part.start..][..part.len()].chunks_exact_mut(part.blocks * part.directions);
+        let chunks =
+            out[part.start..][..part.len()].chunks_exact_mut(part.blocks * part.directions);
         for (place, chunk) in chunks.enumerate() {
             let simplex = simplices[place] as usize;
             if self.on.has(self.mesh.is_interior(k, simplex)) {
@@ -287,7 +288,9 @@ fn gather<T: Real, V: Value, const N: usize>(
     let on_cell = |cell: usize, mut row: &mut [T::Sum], room: &mut Room<T>| {
         cells.evaluate(cell, &mut room.densities);
         for pairing in &pairings {
-            let own = row.split_off_mut(..pairing.width()).expect("a row has all widths");
+            let own = row
+                .split_off_mut(..pairing.width())
+                .expect("a row has all widths");
             pairing.row(parts, &room.densities, &mut room.acc, own);
         }
     };
@@ -297,7 +300,9 @@ fn gather<T: Real, V: Value, const N: usize>(
     let zero = T::Sum::zero();
     rows_in_order(count, width, zero, room, on_cell, |cell, mut row| {
         for ((space, pairing), sums) in spaces.iter().zip(&pairings).zip(&mut sums) {
-            let own = row.split_off(..pairing.width()).expect("a row has all widths");
+            let own = row
+                .split_off(..pairing.width())
+                .expect("a row has all widths");
             dofs.clear();
             space.push_dofs(cell, &mut dofs);
             add(sums, &dofs, own);

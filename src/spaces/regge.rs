@@ -165,10 +165,9 @@ pub(crate) fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Vec<S
                         .map(|i| vertices[i])
                         .collect();
                     let k = support.len() - 1;
-                    let place = places[k]
-                        .iter()
-                        .position(|p| *p == support)
-                        .expect("the simplex that two vertices and a support span belongs to the cell");
+                    let place = places[k].iter().position(|p| *p == support).expect(
+                        "the simplex that two vertices and a support span belongs to the cell",
+                    );
                     let index = seen[k][place];
                     seen[k][place] += 1;
                     Slot { k, place, index }

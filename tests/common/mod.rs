@@ -64,10 +64,7 @@ pub fn largest(values: &[f64]) -> f64 {
 }
 
 /// The matrix of these entries, by edges.
-pub fn dense<const N: usize>(
-    mesh: &Mesh<N>,
-    entries: &[HessianEntry],
-) -> nalgebra::DMatrix<f64> {
+pub fn dense<const N: usize>(mesh: &Mesh<N>, entries: &[HessianEntry]) -> nalgebra::DMatrix<f64> {
     let mut matrix = nalgebra::DMatrix::zeros(mesh.count(1), mesh.count(1));
     for entry in entries {
         matrix[(entry.row, entry.column)] += entry.value;
