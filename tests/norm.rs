@@ -453,7 +453,8 @@ fn a_norm_of_ones_own_that_depends_on_the_metric() {
     let areas: f64 = star.map(|s| mesh.jacobian(s.cell).unwrap().volume()).sum();
     let space = ReggeSpace::new(&mesh, 0);
     let euclidean = Smooth::new(&mesh, Metric::Flat).unwrap();
-    let g = Interpolant::Canonical { order: 4 }
+    let g = Interpolant::canonical()
+        .with_order(4)
         .apply(&space, &euclidean)
         .unwrap();
     let values = metric_values(&g);

@@ -51,9 +51,7 @@ impl Pointwise for O01 {
     const OVER: Over = Over::Oracle;
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let split = N.div_ceil(2);
         let (one, two) = block(&i.g, split);
         let product = symmetric(|a, b| if a < split { one[(a, b)] } else { two[(a, b)] });
@@ -87,9 +85,7 @@ impl Pointwise for O02 {
     const OVER: Over = Over::Oracle;
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         // In 1…3, where the numbers have an order.
         let u = i.v + Jet2::from_int(2);
         let still = i.still();
@@ -127,9 +123,7 @@ impl Pointwise for O03 {
     const OVER: Over = Over::Oracle;
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let x = i.position();
         // |κ| ≤ ½ and |x|² ≤ 5: the denominator stays away from zero.
         let kappa = i.spare[N] * S::Base::half();

@@ -34,9 +34,7 @@ impl Pointwise for D09 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let g = i.still0().g;
         let inverse = inverse_and_det(&g).0;
         let hinge = Hinge::new(&inverse, [&outward(N), &outward(N - 1)]);
@@ -105,9 +103,7 @@ impl Pointwise for I20 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (g, g_t) = (i.still0().g, i.other.map(|x| x.value));
         let (inverse, inverse_t) = (inverse_and_det(&g).0, inverse_and_det(&g_t).0);
         let nu = [i.nu().map(|x| x.value), i.nu_bar];

@@ -23,9 +23,7 @@ impl Pointwise for D03 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let (base, second_form) = (&scene.base, scene.face.second_form);
         let (n, tau, tau1) = (frame.n0(), frame.tau0(), frame.tau1());
@@ -94,9 +92,7 @@ impl Pointwise for D04 {
     };
     const OVER: Over = Over::Oracle;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let g = i.still0().g;
         let connection = Connection::new(&g.map(Jet1::<S::Base, N>::constant));
         let x = i.fields[0].map(|x| x.value.value());
@@ -114,11 +110,7 @@ impl Pointwise for D04 {
                 .left("H", face.h)
                 .right("(N−1)/ρ", over(N - 1))
                 .forge("N for N−1", "(N−1)/ρ", over(N))
-                .forge(
-                    "inward n",
-                    "H",
-                    Face::new(&connection, &nu.map(|x| -x)).h,
-                ),
+                .forge("inward n", "H", Face::new(&connection, &nu.map(|x| -x)).h),
         ]
     }
 }
@@ -137,9 +129,7 @@ impl Pointwise for D07 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();
         let tau = i.frame().tau0();
         let reversed = scene.face.trace_reversed(&scene.base);
@@ -173,9 +163,7 @@ impl Pointwise for D08 {
     };
     const ROOTS: u32 = 4;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (plus, minus) = (i.still0(), Connection::new(&i.other));
         let (nu, opposite) = (i.nu(), i.nu().map(|x| -x));
         let form = |c: &Connection<S::Base, N>, nu| Face::new(c, nu).second_form;

@@ -21,9 +21,7 @@ impl Pointwise for D05 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
         let normal = Normal::new(&base.inverse, &i.nu().map(|x| x.value));
         let dv = lower_vector(&differential(&i.v));
@@ -65,9 +63,7 @@ impl Pointwise for D06 {
     };
     const ROOTS: u32 = 10;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
         let nu = i.nu().map(|x| x.value);
         let normal = Normal::new(&base.inverse, &nu);
@@ -113,9 +109,7 @@ impl Pointwise for T02 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();
         let normal = &scene.face.normal;
         let dv = lower_vector(&differential(&i.v));

@@ -22,9 +22,7 @@ impl Pointwise for D01 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (still, sigma) = (i.still(), i.sigma0());
         let base = still.lower();
         let tr: Jet2<S::Base, N> = trace(&inverse_and_det(&i.g).0, &i.sigma);
@@ -71,9 +69,7 @@ impl Pointwise for D02 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
         let rho = K::reverse_trace(&base.g, &base.inverse, &sigma);
         let tr = base.trace(&sigma);
@@ -108,9 +104,7 @@ impl Pointwise for I09 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
         let rho = K::reverse_trace(&base.g, &base.inverse, &sigma);
         let square = base.inner(&base.g, &sigma) * base.inner(&base.g, &sigma);

@@ -79,9 +79,7 @@ impl Pointwise for M12 {
     const OVER: Over = Over::Integers;
     const ROOTS: u32 = 2;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
         // S is spanned by the first N − 2 coordinate directions.
         let last = |k: usize| {

@@ -159,10 +159,7 @@ impl FromFlat {
     }
 
     /// The integrals of both by so many Gauss points.
-    fn integrals<const N: usize>(
-        ends: [&Regge<f64, N>; 2],
-        points: usize,
-    ) -> [f64; 2] {
+    fn integrals<const N: usize>(ends: [&Regge<f64, N>; 2], points: usize) -> [f64; 2] {
         let [from, to] = ends;
         let sigma = combination(-1.0, from, 1.0, to);
         let mut sums = [0.0; 2];

@@ -63,8 +63,7 @@ impl Evolution for M10 {
             sigma: &pair.sigma,
         };
         let hats = Lagrange::new(pair.space.mesh(), 1);
-        let einstein = a_h(&pair.g, &product, &hats, &pair.rules)
-            .pair(&vec![1.0; hats.len()]);
+        let einstein = a_h(&pair.g, &product, &hats, &pair.rules).pair(&vec![1.0; hats.len()]);
         vec![
             Equation::new("by the Einstein tensor")
                 .left("d/dt⟨(Rω)_dist,v⟩", whole(&m.rate))

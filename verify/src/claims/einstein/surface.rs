@@ -58,9 +58,7 @@ impl Pointwise for M07 {
     const OVER: Over = Over::Integers;
     const ROOTS: u32 = 4;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (still, scene, sigma) = (i.still(), i.scene(), i.sigma0());
         let base = still.lower();
         let (omega, omega_f) = (base.det.sqrt(), scene.face.omega);

@@ -23,9 +23,7 @@ impl Pointwise for M11 {
     };
     const ROOTS: u32 = 3;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let still = i.still();
         let (base, r) = (still.lower(), still.scalar());
         let scene = i.scene();
@@ -95,9 +93,7 @@ impl OnMesh for M19 {
             g, space, rules, ..
         } = Pair::<N>::draw(at, draw);
         let a = values(a_h(&g, &g, &space, &rules));
-        let r = values(distributional_curvature(
-            &g, &space, &rules,
-        ));
+        let r = values(distributional_curvature(&g, &space, &rules));
         let (flat, surface) = (at.degree == 0, N == 2);
         let size = r.s.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let side = |name, left: &[f64], right: &[f64], none: bool| {
@@ -128,9 +124,7 @@ impl Pointwise for M19 {
     const DIMENSIONS: &'static [usize] = &[2, 3, 4];
     const OVER: Over = Over::Integers;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         M11::equations::<S, N>(i)
     }
 }

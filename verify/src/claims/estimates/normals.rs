@@ -58,9 +58,7 @@ impl Pointwise for I01 {
         sides: "Left: the lengths of ν in two metrics by the library. Right: the closed form.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
         let [a, b] = pair
             .inverses
@@ -87,9 +85,7 @@ impl Pointwise for I02 {
         sides: "Left: the library's normals and inverses. Right: products of matrices.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
         let [one, two] = &pair.inverses;
         let scale = S::Base::one() / pair.squares[1].sqrt();
@@ -145,9 +141,7 @@ impl Pointwise for I03 {
     const OVER: Over = Over::Ordered;
     const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
         let most = |a: &[Mat<S::Base, N>; 2]| f64::max(spectral(&a[0]), spectral(&a[1]));
         let (m, mu) = (most(&pair.metrics), most(&pair.inverses));

@@ -80,9 +80,7 @@ impl Pointwise for I18 {
     const OVER: Over = Over::Ordered;
     const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let bound = |name, shape: Shape| {
             let ratio = |c: f64| S::Base::from_real(c * shape.inradius / shape.diameter);
             Equation::at_most(name)
@@ -135,9 +133,7 @@ impl Pointwise for I28 {
             .few_cases("nothing is random: r = 0, …, 5 for every N");
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        _i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(_i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let int = |n: usize| S::Base::from_int(n as i64);
         let equation = |(r, name): (usize, &&'static str)| {
             let mut equation = Equation::new(name);

@@ -67,9 +67,7 @@ impl Pointwise for P22 {
     };
     const ROOTS: u32 = 5;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
         let nu = i.nu().map(|x| x.value);
         let pairs = Turned::new(&base.g, &base.inverse, &nu, &i.nu_bar);
@@ -107,9 +105,7 @@ impl Pointwise for P23 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
         let nu = i.nu().map(|x| x.value);
         let Turned {
@@ -154,9 +150,7 @@ impl Pointwise for P24 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);
         // Of the two wedges on either side of a face, one is obtuse.
         vec![

@@ -41,9 +41,7 @@ impl Pointwise for P05 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
         let rate = i
             .moving0()
@@ -92,9 +90,7 @@ impl Pointwise for P06 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
         let [x, y] = &i.fields;
         let moving = along(&i.moving0().nabla_vector(x), &y.map(|y| y.value));
@@ -147,9 +143,7 @@ impl Pointwise for I12 {
     };
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (one, two) = (i.still0(), Connection::new(&i.other));
         let pair = |c: &Connection<S::Base, N>, sign: i64| -> Mat<S::Base, N> {
             symmetric(|a, b| {

@@ -20,9 +20,7 @@ impl Pointwise for P20 {
             random function and on a plane, for both orientations. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         vec![
             density::<S, N>("curved F", i, &i.nu()),
             density::<S, N>("flat F", i, &i.flat_nu()),
@@ -78,9 +76,7 @@ impl Pointwise for P21 {
     };
     const DIMENSIONS: &'static [usize] = &[2];
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let (face, n1, tau1) = (&scene.face, frame.n1(), frame.tau1()[0]);
         let (n, tau) = (frame.n0(), frame.tau0()[0]);

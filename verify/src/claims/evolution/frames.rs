@@ -40,9 +40,7 @@ impl Pointwise for P10 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, g) = (i.frame(), i.still0().g);
         let n = frame.n0();
         let bend = accelerations(i, &frame);
@@ -73,9 +71,7 @@ impl Pointwise for P11 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let n = frame.n0();
         let bend = accelerations(i, &frame);
@@ -103,9 +99,7 @@ impl Pointwise for P12 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let n = frame.n0();
         let (mut left, mut size) = (S::Base::zero(), Vec::new());
@@ -138,9 +132,7 @@ impl Pointwise for P13 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let (n, tau) = (frame.n0(), frame.tau0());
         let half = S::Base::half();

@@ -18,9 +18,7 @@ impl Pointwise for P14 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let nabla_n = scene.base.nabla_vector(&frame.n1());
         let right = sum(&frame.tau0(), |t| {
@@ -48,9 +46,7 @@ impl Pointwise for P15 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let (n, tau) = (frame.n0(), frame.tau0());
         vec![
@@ -79,9 +75,7 @@ impl Pointwise for P16 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let (n1, n) = (frame.n1(), frame.n0());
         let (mut first, mut second) = (S::Base::zero(), S::Base::zero());
@@ -114,9 +108,7 @@ impl Pointwise for P17 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
         let (n, tau) = (frame.n0(), frame.tau0());
         let half = S::Base::half();
@@ -149,9 +141,7 @@ impl Pointwise for P18 {
             t = 0. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();
         let half = S::Base::half();
         vec![
@@ -181,9 +171,7 @@ impl Pointwise for P19 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();
         let tau = i.frame().tau0();
         let mut against = S::Base::zero();

@@ -19,9 +19,7 @@ impl Pointwise for D12 {
         sides: "Left: products with the library's normal. Right: numbers and the covector itself.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
         let nu = i.nu().map(|x| x.value);
         let normal = Normal::new(&base.inverse, &nu);
@@ -61,9 +59,7 @@ impl Pointwise for P07 {
         sides: "Left: g + tσ, its normal and a moving X, differentiated in t. Right: products at t = 0.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, base) = (i.moving0(), i.still0());
         let nu = i.nu().map(|x| x.value);
         let x = i.fields[0].map(|x| x.value);
@@ -99,9 +95,7 @@ impl Pointwise for P08 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, base, sigma) = (i.moving0(), i.still0(), i.sigma0());
         let nu = i.nu().map(|x| S::fixed(x.value));
         let rate = Normal::new(&moving.inverse, &nu).n.map(S::rate);
@@ -150,9 +144,7 @@ impl Pointwise for P09 {
     };
     const ROOTS: u32 = 6;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (sigma, g): (Mat<S::Base, N>, Mat<S::Base, N>) = (i.sigma0(), i.still0().g);
         let frame = i.frame();
         let (tau, rate) = (frame.tau0(), frame.tau_rate());

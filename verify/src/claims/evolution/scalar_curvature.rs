@@ -21,9 +21,7 @@ impl Pointwise for P01 {
             derivatives of σ, and Ric at t = 0. Both use Ric, the left its change and the right its value, which O03 pins down.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let still = i.still();
         let inverse = inverse_and_det(&i.g).0;
         let ricci = still.lower().inner(&still.ricci(), &i.sigma0());
@@ -51,9 +49,7 @@ impl Pointwise for P03 {
             Einstein tensor at t = 0. Both use R, the left its change and the right its value, which O03 pins down.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, still) = (i.moving(), i.still());
         let omega = still.det.value.sqrt();
         let inverse = inverse_and_det(&i.g).0;

@@ -20,9 +20,7 @@ impl Pointwise for P02 {
         sides: "Left: square roots of determinants, differentiated in t. Right: traces with g⁻¹ and normals. Both use the volume forms, the left their change and the right their values.",
     };
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, still, sigma) = (i.moving0(), i.still0(), i.sigma0());
         let nu = i.nu().map(|x| x.value);
         let (nu_t, bar_t) = (nu.map(S::fixed), i.nu_bar.map(S::fixed));

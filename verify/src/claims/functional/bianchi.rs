@@ -56,8 +56,8 @@ impl OnMesh for M18 {
         let v = test_function(&space, draw);
         let b = b_h(&g, &field, &space, &rules).pair(&v);
         let a = a_h(&g, &field, &space, &rules).pair(&v);
-        let r = distributional_curvature(&g, &target, &rules)
-            .pair(&field.apply(&space, &target, &v));
+        let r =
+            distributional_curvature(&g, &target, &rules).pair(&field.apply(&space, &target, &v));
         let (flat, surface) = (at.degree == 0, N == 2);
         vec![
             Equation::new("Bianchi")

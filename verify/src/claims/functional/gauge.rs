@@ -138,15 +138,8 @@ impl OnMesh for M16 {
         let g = as_regge(&regge, &pulled_back, at.degree);
         let space = Lagrange::new(&mesh, at.test);
         let rules = at.rules(N);
-        let sums = values(distributional_curvature(
-            &g, &space, &rules,
-        ));
-        let a = values(a_h(
-            &g,
-            &metric(&regge, draw),
-            &space,
-            &rules,
-        ));
+        let sums = values(distributional_curvature(&g, &space, &rules));
+        let a = values(a_h(&g, &metric(&regge, draw), &space, &rules));
         // Angles of size 2π around hinges of size 1, and as much for H.
         let one = |name, sum: Vec<f64>| {
             Equation::new(name)
@@ -155,9 +148,7 @@ impl OnMesh for M16 {
                 .magnitude(1.0)
         };
         let other = metric(&regge, draw);
-        let curved = values(distributional_curvature(
-            &other, &space, &rules,
-        ));
+        let curved = values(distributional_curvature(&other, &space, &rules));
         vec![
             one("Σ_T ∫Rvω", sums.t),
             one("Σ̊_F ∫⟦H⟧vω_F", sums.f),

@@ -53,9 +53,7 @@ impl OnMesh for M15 {
         let (regge, space) = spaces::<N>(at);
         let rules = at.rules(N);
         let g = metric(&regge, draw);
-        let sums = values(distributional_curvature(
-            &g, &space, &rules,
-        ));
+        let sums = values(distributional_curvature(&g, &space, &rules));
         let chi = space.mesh().euler_characteristic() as f64;
         let one = Tested::One.of_sums(&space, &sums);
         vec![

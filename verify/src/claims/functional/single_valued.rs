@@ -74,9 +74,7 @@ impl Pointwise for D13 {
     };
     const ROOTS: u32 = 8;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);
         let (g, sigma) = (i.still0().g, i.sigma0());
         // Small enough to leave g positive definite: |ν|, |β| ≤ √N, and g ≥ ½ δ.
@@ -256,9 +254,7 @@ impl Pointwise for M20 {
     const OVER: Over = Over::Integers;
     const ROOTS: u32 = D13::ROOTS;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         D13::equations::<S, N>(i)
     }
 }

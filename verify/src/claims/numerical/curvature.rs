@@ -58,9 +58,7 @@ impl Pointwise for N01 {
     const DIMENSIONS: &'static [usize] = &[2];
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let x = i.position();
         let k = x.map(|x| S::Base::one() - x * x);
         graph_equation(&x, 162, k[0] * k[1], k[0] * k[0])
@@ -83,9 +81,7 @@ impl Pointwise for N02 {
     const DIMENSIONS: &'static [usize] = &[3];
     const ROOTS: u32 = 0;
 
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>> {
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let x = i.position();
         let k = x.map(|x| S::Base::one() - x * x);
         let nine = S::Base::from_int(9);

@@ -5,9 +5,7 @@ use crate::stage::fields::{Patch, Regge};
 use crate::stage::mesh::{OnMesh, POINTS_IN_T, QUADRATURE, Tested, Three, minus, rates, too_few};
 use num_dual::Dual64;
 use regge_curvature::field::Combination;
-use regge_curvature::functional::{
-    Rules, a_h, b_h, distributional_curvature, smooth_curvature,
-};
+use regge_curvature::functional::{Rules, a_h, b_h, distributional_curvature, smooth_curvature};
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::{Metric, Smooth};

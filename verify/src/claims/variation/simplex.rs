@@ -85,8 +85,7 @@ impl Evolution for M17 {
         let (flat, surface) = (at.degree == 0, N == 2);
         let form = minus(&m.at.faces(Everywhere, |q| q.second_form));
         let plain = minus(&m.at.faces(Everywhere, |q| q.plain_second_form));
-        let angles =
-            m.at.hinges(Everywhere, |q| -q.theta * q.trace * q.omega);
+        let angles = m.at.hinges(Everywhere, |q| -q.theta * q.trace * q.omega);
         vec![
             Equation::new("one simplex")
                 .left("d/dt ∫Rvω", m.rate.t.clone())

@@ -8,7 +8,6 @@ mod reasons;
 mod shapes;
 mod sums;
 mod terms;
-mod wrong;
 
 pub use cases::{QUADRATURE, ROUNDING, at_points, everywhere, on_one_simplex, orders};
 pub use claim::{OnMesh, add};

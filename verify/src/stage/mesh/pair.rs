@@ -100,12 +100,7 @@ impl<const N: usize> Pair<N> {
         self.signed_faces(Where::Interior, -1.0, q)
     }
 
-    fn signed_faces(
-        &self,
-        on: Where,
-        second: f64,
-        q: fn(&FaceTerms) -> f64,
-    ) -> Vec<f64> {
+    fn signed_faces(&self, on: Where, second: f64, q: fn(&FaceTerms) -> f64) -> Vec<f64> {
         let (rule, mesh) = (&self.rules.faces, self.space.mesh());
         let g = Seen::<f64, N, _>::new(&self.g, N - 1, rule);
         let sigma = Seen::<f64, N, _>::new(&self.sigma, N - 1, rule);

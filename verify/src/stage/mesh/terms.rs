@@ -11,10 +11,7 @@ use regge_curvature::scalar::Real;
 use regge_curvature::simplex::subsets;
 
 /// (div div 𝕊σ) ω.
-pub fn div_div<const N: usize>(
-    g: &Mat<Jet2<f64, N>, N>,
-    sigma: &Mat<Jet2<f64, N>, N>,
-) -> f64 {
+pub fn div_div<const N: usize>(g: &Mat<Jet2<f64, N>, N>, sigma: &Mat<Jet2<f64, N>, N>) -> f64 {
     let s_sigma = K::reverse_trace(g, &inverse_and_det(g).0, sigma);
     let connection = Connection::new(g);
     connection.div_div(&s_sigma) * connection.det.value.sqrt()
@@ -105,11 +102,7 @@ pub struct HingeTerms<T> {
 
 impl<T: Real> HingeTerms<T> {
     /// On the hinge at this place of the cell.
-    pub fn new<const N: usize>(
-        g: &Mat<T, N>,
-        sigma: &Mat<T, N>,
-        place: usize,
-    ) -> Self {
+    pub fn new<const N: usize>(g: &Mat<T, N>, sigma: &Mat<T, N>, place: usize) -> Self {
         let (inverse, det) = inverse_and_det(g);
         let nu: Vec<Vector<T, N>> = opposite::<N>(N - 2, place)
             .into_iter()

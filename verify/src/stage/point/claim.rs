@@ -41,9 +41,7 @@ pub trait Pointwise: 'static {
     const EXCUSES: Excuses = Excuses::NONE;
 
     /// The equations at one instance.
-    fn equations<S: Timed, const N: usize>(
-        i: &Instance<S, N>,
-    ) -> Vec<Equation<S::Base>>;
+    fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>>;
 }
 
 /// A bound of the degree of a claim in the instance's numbers, cleared of denominators and roots.
@@ -116,7 +114,9 @@ fn on_numbers<C: Pointwise, S: Timed, const N: usize>(
         judgement,
         cases: over_all(cases, C::DIMENSIONS),
         count: Instance::<S, N>::count(),
-        equations: |numbers, formulas| C::equations::<S, N>(&Instance::from_numbers(numbers, formulas)),
+        equations: |numbers, formulas| {
+            C::equations::<S, N>(&Instance::from_numbers(numbers, formulas))
+        },
         shrinks: true,
     }
 }

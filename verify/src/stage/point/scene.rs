@@ -101,10 +101,7 @@ pub struct Scene<B: Ground, const N: usize> {
 impl<B: Ground, const N: usize> Scene<B, N> {
     /// On the hypersurface with covector ν.
     #[inline(never)]
-    pub fn new<S: Timed<Base = B>>(
-        i: &Instance<S, N>,
-        nu: &Vector<Jet1<B, N>, N>,
-    ) -> Self {
+    pub fn new<S: Timed<Base = B>>(i: &Instance<S, N>, nu: &Vector<Jet1<B, N>, N>) -> Self {
         let still = i.still();
         let base = still.lower();
         let face = Face::new(&i.formulas, &base, nu);
@@ -153,6 +150,11 @@ impl<S: Timed, const N: usize> Instance<S, N> {
     /// H of F = {φ = 0} in the metric g + t σ.
     #[inline(never)]
     pub fn moving_h(&self) -> S {
-        Face::new(&self.formulas, &self.moving0(), &self.nu().map(still_jet::<S, N>)).h
+        Face::new(
+            &self.formulas,
+            &self.moving0(),
+            &self.nu().map(still_jet::<S, N>),
+        )
+        .h
     }
 }
