@@ -1,9 +1,9 @@
 //! The picture of a study: our errors as lines, the printed ones as hollow marks, slopes to compare with.
 
-use super::stop::Stop;
 use regge_cli::plot::{Curve, Figure, Guide};
 use regge_curvature::metrics::Metric;
 use regge_study::{Interpolation, Named, Quantity, ROUNDING, Report, Row, Study};
+use regge_terminal::Stop;
 
 /// The SVG.
 pub fn svg(study: &Study, report: &Report, title: &str) -> Result<String, Stop> {
