@@ -5,4 +5,5 @@
 pub mod curvature;
 pub mod map;
 pub mod plot;
+mod svg;
 pub mod vtu;

@@ -1,9 +1,7 @@
 //! Log-log pictures of convergence as SVG.
 
-use plotters::coord::Shift;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
+use crate::svg::escaped;
+use std::fmt::{self, Write};
 use std::ops::Range;
 
 /// A sequence of errors.
@@ -51,142 +49,258 @@ pub struct Figure {
     pub guides: Vec<Guide>,
 }
 
-/// Width and height.
-const SIZE: (u32, u32) = (900, 620);
+/// Width and height of the picture.
+const SIZE: [f64; 2] = [900.0, 620.0];
+
+/// Where the axes are: left, top, right, bottom.
+const FRAME: [f64; 4] = [98.0, 48.0, 886.0, 558.0];
 
 /// Colours that differ for the colour-blind too. Source: Okabe and Ito, "Color Universal Design" (2008).
-const COLORS: [RGBColor; 6] = [
-    RGBColor(213, 94, 0),
-    RGBColor(0, 114, 178),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
+const COLORS: [&str; 6] = [
+    "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
 ];
-
-type Result<T> = std::result::Result<T, Box<dyn Error>>;
-
-type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;
 
 impl Figure {
     /// The SVG's text.
-    ///
-    /// # Errors
-    /// If the drawing library gives up.
-    pub fn svg(&self) -> std::result::Result<String, String> {
+    pub fn svg(&self) -> String {
         let mut text = String::new();
-        let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-        let drawn = self.draw(&root).map_err(|error| error.to_string());
-        drop(root);
-        drawn.map(|()| text)
+        self.draw(&mut text)
+            .expect("a string takes whatever is written");
+        text
     }
 
-    fn draw(&self, root: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<()> {
-        root.fill(&WHITE)?;
-        let (x, y) = self.ranges();
-        let mut chart = ChartBuilder::on(root)
-            .caption(&self.title, ("sans-serif", 20))
-            .margin(14)
-            .x_label_area_size(48)
-            .y_label_area_size(84)
-            .build_cartesian_2d(x.log_scale(), y.log_scale())?;
-        self.axes(&mut chart)?;
+    fn draw(&self, text: &mut String) -> fmt::Result {
+        let [width, height] = SIZE;
+        let [left, _, right, _] = FRAME;
+        writeln!(
+            text,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n\
+             <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
+             <text x=\"{}\" y=\"32\" font-size=\"20\" text-anchor=\"middle\">{}</text>",
+            (left + right) / 2.0,
+            escaped(&self.title)
+        )?;
+        let plane = Plane::new(self);
+        plane.axes(text, &self.x_label, &self.y_label)?;
         for guide in &self.guides {
-            guide.draw(&mut chart)?;
+            guide.draw(text, &plane)?;
         }
         for curve in &self.curves {
-            curve.draw(&mut chart)?;
+            curve.draw(text, &plane)?;
         }
-        self.legend(&mut chart)?;
-        root.present()?;
-        Ok(())
+        self.legend(text)?;
+        writeln!(text, "</svg>")
     }
 
-    /// What is to be seen, with room for the labels on the right and for the legend below.
-    fn ranges(&self) -> (Range<f64>, Range<f64>) {
-        let curves = || {
-            self.curves
-                .iter()
-                .flat_map(|c| c.points.iter().chain(&c.marks))
-        };
-        let ends = self.guides.iter().map(|guide| guide.at_end);
-        let x = hull(curves().map(|p| p.0));
-        let y = hull(curves().map(|p| p.1).chain(ends));
-        (x.start * 0.6..x.end * 3.0, y.start * 0.4..y.end * 2.5)
-    }
-
-    fn axes(&self, chart: &mut Plane<'_, '_>) -> Result<()> {
-        chart
-            .configure_mesh()
-            .x_desc(&self.x_label)
-            .y_desc(&self.y_label)
-            .axis_desc_style(("sans-serif", 17))
-            .label_style(("sans-serif", 14))
-            .light_line_style(WHITE)
-            .bold_line_style(BLACK.mix(0.15))
-            .x_labels(8)
-            .y_labels(10)
-            .x_label_formatter(&power_of_ten)
-            .y_label_formatter(&power_of_ten)
-            .draw()?;
-        Ok(())
-    }
-
-    fn legend<'a, 'b: 'a>(&self, chart: &mut Plane<'a, 'b>) -> Result<()> {
-        if self.curves.iter().any(|curve| !curve.marks.is_empty()) {
-            let hollow = |(x, y)| Circle::new((x + 12, y), 5, BLACK.stroke_width(1));
-            chart
-                .draw_series(std::iter::empty::<Circle<(f64, f64), i32>>())?
-                .label("hollow: printed in the paper")
-                .legend(hollow);
+    /// The names of the curves in the lower left corner, where errors that fall leave room.
+    fn legend(&self, text: &mut String) -> fmt::Result {
+        const ROW: f64 = 22.0;
+        const HOLLOW: &str = "hollow: printed in the paper";
+        let hollow = self.curves.iter().any(|curve| !curve.marks.is_empty());
+        let names = self.curves.iter().map(|curve| curve.name.as_str());
+        let names: Vec<&str> = names.chain(hollow.then_some(HOLLOW)).collect();
+        let longest = names.iter().map(|name| name.chars().count()).max();
+        let height = ROW * names.len() as f64 + 10.0;
+        let (left, top) = (FRAME[0] + 12.0, FRAME[3] - 12.0 - height);
+        writeln!(
+            text,
+            "<rect x=\"{left}\" y=\"{top}\" width=\"{:.0}\" height=\"{height}\" fill=\"white\" \
+             fill-opacity=\"0.85\" stroke=\"#bbb\"/>",
+            // Letters of 15 points are 8 wide on average.
+            50.0 + 8.0 * longest.unwrap_or(0) as f64
+        )?;
+        for (row, name) in names.iter().enumerate() {
+            let y = top + 5.0 + ROW * (row as f64 + 0.5);
+            let sample = [(left + 8.0, y), (left + 32.0, y)];
+            match self.curves.get(row) {
+                Some(curve) => {
+                    curve.line(text, &sample)?;
+                    curve.dot(text, (left + 20.0, y))?;
+                }
+                None => circle(
+                    text,
+                    (left + 20.0, y),
+                    5.0,
+                    "fill=\"none\" stroke=\"black\"",
+                )?,
+            }
+            writeln!(
+                text,
+                "<text x=\"{}\" y=\"{}\" font-size=\"15\">{}</text>",
+                left + 42.0,
+                y + 5.0,
+                escaped(name)
+            )?;
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerLeft)
-            .margin(12)
-            .label_font(("sans-serif", 15))
-            .background_style(WHITE.mix(0.85))
-            .border_style(BLACK.mix(0.3))
-            .draw()?;
         Ok(())
     }
 }
 
 impl Curve {
-    fn draw<'a, 'b: 'a>(&self, chart: &mut Plane<'a, 'b>) -> Result<()> {
-        let color = COLORS[self.color % COLORS.len()].mix(if self.dashed { 0.7 } else { 1.0 });
-        let line = color.stroke_width(2);
-        let points = self.points.clone();
-        let series = match self.dashed {
-            true => chart.draw_series(DashedLineSeries::new(points, 7, 5, line))?,
-            false => chart.draw_series(LineSeries::new(points, line))?,
+    fn draw(&self, text: &mut String, plane: &Plane) -> fmt::Result {
+        let points: Vec<Place> = self.points.iter().map(|&p| plane.place(p)).collect();
+        self.line(text, &points)?;
+        points.iter().try_for_each(|&place| self.dot(text, place))?;
+        let hollow = format!("fill=\"none\" stroke=\"{}\"", self.color());
+        self.marks
+            .iter()
+            .try_for_each(|&mark| circle(text, plane.place(mark), 7.0, &hollow))
+    }
+
+    fn color(&self) -> &'static str {
+        COLORS[self.color % COLORS.len()]
+    }
+
+    fn line(&self, text: &mut String, points: &[Place]) -> fmt::Result {
+        let dashes = match self.dashed {
+            true => " stroke-dasharray=\"7 5\" stroke-opacity=\"0.7\"",
+            false => "",
         };
-        let gap = if self.dashed { 5 } else { 0 };
-        series.label(&self.name).legend(move |(x, y)| {
-            let half =
-                |from: i32, to: i32| PathElement::new(vec![(x + from, y), (x + to, y)], line);
-            let dot = Circle::new((x + 12, y), 3, color.filled());
-            EmptyElement::at((0, 0)) + half(0, 12 - gap) + half(12 + gap, 24) + dot
-        });
-        let dot = |&p: &_| Circle::new(p, 3, color.filled());
-        chart.draw_series(self.points.iter().map(dot))?;
-        let hollow = |&p: &_| Circle::new(p, 7, color.stroke_width(1));
-        chart.draw_series(self.marks.iter().map(hollow))?;
-        Ok(())
+        line(
+            text,
+            points,
+            &format!("stroke=\"{}\" stroke-width=\"2\"{dashes}", self.color()),
+        )
+    }
+
+    fn dot(&self, text: &mut String, place: Place) -> fmt::Result {
+        circle(text, place, 3.0, &format!("fill=\"{}\"", self.color()))
     }
 }
 
 impl Guide {
-    fn draw<'a, 'b: 'a>(&self, chart: &mut Plane<'a, 'b>) -> Result<()> {
+    fn draw(&self, text: &mut String, plane: &Plane) -> fmt::Result {
         let at_start = self.at_end * (self.from / self.to).powf(self.slope);
         let ends = [(self.from, at_start), (self.to, self.at_end)];
-        let grey = BLACK.mix(0.55);
-        chart.draw_series(DashedLineSeries::new(ends, 4, 4, grey.stroke_width(1)))?;
-        let font = ("sans-serif", 15).into_font().color(&grey);
-        let style = font.pos(Pos::new(HPos::Left, VPos::Center));
-        let label = Text::new(self.label.clone(), (self.to * 1.15, self.at_end), style);
-        chart.draw_series(std::iter::once(label))?;
+        let ends = ends.map(|end| plane.place(end));
+        line(text, &ends, "stroke=\"#777\" stroke-dasharray=\"4 4\"")?;
+        let (x, y) = ends[1];
+        writeln!(
+            text,
+            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"15\" fill=\"#777\">{}</text>",
+            x + 8.0,
+            y + 5.0,
+            escaped(&self.label)
+        )
+    }
+}
+
+/// A place in the picture.
+type Place = (f64, f64);
+
+fn line(text: &mut String, points: &[Place], style: &str) -> fmt::Result {
+    write!(text, "<polyline fill=\"none\" {style} points=\"")?;
+    for (x, y) in points {
+        write!(text, "{x:.1},{y:.1} ")?;
+    }
+    writeln!(text, "\"/>")
+}
+
+fn circle(text: &mut String, (x, y): Place, radius: f64, style: &str) -> fmt::Result {
+    writeln!(
+        text,
+        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" {style}/>"
+    )
+}
+
+/// What is to be seen, on logarithmic axes.
+struct Plane {
+    x: Range<f64>,
+    y: Range<f64>,
+}
+
+impl Plane {
+    /// With room for the labels on the right and for the legend below.
+    fn new(figure: &Figure) -> Self {
+        let curves = || {
+            let of = |curve: &'_ Curve| curve.points.iter().chain(&curve.marks).copied().collect();
+            figure.curves.iter().flat_map::<Vec<(f64, f64)>, _>(of)
+        };
+        let ends = figure.guides.iter().map(|guide| guide.at_end);
+        let x = hull(curves().map(|p| p.0));
+        let y = hull(curves().map(|p| p.1).chain(ends));
+        Self {
+            x: x.start * 0.6..x.end * 3.0,
+            y: y.start * 0.4..y.end * 2.5,
+        }
+    }
+
+    fn place(&self, (x, y): (f64, f64)) -> Place {
+        let [left, top, right, bottom] = FRAME;
+        let part =
+            |of: f64, range: &Range<f64>| (of / range.start).ln() / (range.end / range.start).ln();
+        (
+            left + part(x, &self.x) * (right - left),
+            bottom - part(y, &self.y) * (bottom - top),
+        )
+    }
+
+    fn axes(&self, text: &mut String, x_label: &str, y_label: &str) -> fmt::Result {
+        let [left, top, right, bottom] = FRAME;
+        let grid = "stroke=\"black\" stroke-opacity=\"0.15\"";
+        for tick in ticks(&self.x) {
+            let x = self.place((tick, self.y.start)).0;
+            line(text, &[(x, top), (x, bottom)], grid)?;
+            let place = format!(
+                "x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\"",
+                bottom + 20.0
+            );
+            writeln!(
+                text,
+                "<text {place} font-size=\"14\">{}</text>",
+                power_of_ten(tick)
+            )?;
+        }
+        for tick in ticks(&self.y) {
+            let y = self.place((self.x.start, tick)).1;
+            line(text, &[(left, y), (right, y)], grid)?;
+            let place = format!(
+                "x=\"{}\" y=\"{:.1}\" text-anchor=\"end\"",
+                left - 8.0,
+                y + 5.0
+            );
+            writeln!(
+                text,
+                "<text {place} font-size=\"14\">{}</text>",
+                power_of_ten(tick)
+            )?;
+        }
+        line(
+            text,
+            &[(left, top), (left, bottom), (right, bottom)],
+            "stroke=\"black\"",
+        )?;
+        let middle = [(left + right) / 2.0, (top + bottom) / 2.0];
+        for (place, label) in [
+            (
+                format!("translate({} {})", middle[0], bottom + 48.0),
+                x_label,
+            ),
+            (format!("translate(30 {}) rotate(-90)", middle[1]), y_label),
+        ] {
+            let label = escaped(label);
+            writeln!(
+                text,
+                "<text transform=\"{place}\" font-size=\"17\" text-anchor=\"middle\">{label}</text>"
+            )?;
+        }
         Ok(())
+    }
+}
+
+/// Powers of ten, ten at the most; where there are fewer than two, their doubles and quintuples as well.
+fn ticks(range: &Range<f64>) -> Vec<f64> {
+    let [first, last] = [range.start.log10().floor(), range.end.log10().ceil()].map(|e| e as i32);
+    let inside = |list: &[i32], step: usize| -> Vec<f64> {
+        let powers = (first..=last).step_by(step);
+        let all = powers.flat_map(|e| list.iter().map(move |m| f64::from(*m) * 10f64.powi(e)));
+        all.filter(|x| range.contains(x)).collect()
+    };
+    let powers = inside(&[1], 1);
+    match powers.len() {
+        0 | 1 => inside(&[1, 2, 5], 1),
+        count => inside(&[1], count.div_ceil(10)),
     }
 }
 
@@ -198,7 +312,7 @@ fn hull(values: impl Iterator<Item = f64>) -> Range<f64> {
 }
 
 /// 10ⁿ, or digits where ticks are no powers of ten.
-fn power_of_ten(x: &f64) -> String {
+fn power_of_ten(x: f64) -> String {
     let exponent = x.log10().round();
     if (x / 10f64.powf(exponent) - 1.0).abs() > 1e-6 {
         return format!("{x:.0e}");
@@ -211,4 +325,22 @@ fn power_of_ten(x: &f64) -> String {
         "10{}",
         exponent.to_string().chars().map(raised).collect::<String>()
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_powers_of_ten_or_few() {
+        let near = |found: Vec<f64>, known: &[f64]| {
+            assert_eq!(found.len(), known.len(), "{found:?}");
+            let pairs = found.iter().zip(known);
+            assert!(pairs.into_iter().all(|(a, b)| (a / b - 1.0).abs() < 1e-12));
+        };
+        near(ticks(&(0.5..200.0)), &[1.0, 10.0, 100.0]);
+        near(ticks(&(3.0..30.0)), &[5.0, 10.0, 20.0]);
+        assert!((5..=10).contains(&ticks(&(1e-30..1.0)).len()));
+        assert_eq!([1e-3, 2e-3].map(power_of_ten), ["10⁻³", "2e-3"]);
+    }
 }

@@ -4,6 +4,7 @@ mod panel;
 mod range;
 
 use crate::curvature::Fields;
+use crate::svg::escaped;
 use panel::{Plane, Shown};
 use std::fmt::Write;
 
@@ -99,10 +100,4 @@ fn panels(fields: &Fields) -> Vec<(&'static str, Shown<'_>)> {
         panels.push(("Θ, angle defect at inner vertices", Shown::Vertices(theta)));
     }
     panels
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
 }

@@ -98,7 +98,7 @@ impl Job {
             output::json(path, &report)?;
         }
         if let Some(path) = &self.plot {
-            output::write(path, &picture::svg(&self.study, &report, &self.title)?)?;
+            output::write(path, &picture::svg(&self.study, &report, &self.title))?;
         }
         Ok(())
     }

@@ -3,12 +3,10 @@
 use regge_cli::plot::{Curve, Figure, Guide};
 use regge_curvature::metrics::Metric;
 use regge_study::{Interpolation, Named, Quantity, ROUNDING, Report, Row, Study};
-use regge_terminal::Stop;
 
 /// The SVG.
-pub fn svg(study: &Study, report: &Report, title: &str) -> Result<String, Stop> {
-    let failed = |error: String| Stop::Failed(format!("the picture: {error}"));
-    figure(study, report, title).svg().map_err(failed)
+pub fn svg(study: &Study, report: &Report, title: &str) -> String {
+    figure(study, report, title).svg()
 }
 
 fn figure(study: &Study, report: &Report, title: &str) -> Figure {
