@@ -1,14 +1,16 @@
 //! `regge curvature`: from a mesh file to its curvature.
 
 use super::files::{self, Files};
-use super::given::{DETAILS, Given};
-use super::output;
-use super::phases::Phases;
-use super::stop::{Out, Stop};
+use super::given::{DETAILS, Given, stopped};
 use regge_cli::curvature::{Boundary, CurvatureReport, Fields, Request, curvature};
 use regge_cli::{map, vtu};
+use regge_terminal::{Bar, Out, Stop, output};
+use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+/// About how many phases the command has.
+const PHASES: u64 = 8;
 
 const BOUNDARY: &str = "\
 The sums are those of the paper: interior faces and hinges only, test functions that vanish on the boundary. With
@@ -35,7 +37,7 @@ pub struct Args {
     /// Write mesh and fields to this file, for ParaView
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
-    /// Draw the curvature of a plane mesh, as .svg or .png
+    /// Draw the curvature of a plane mesh, as .svg, or as .png in a build with --features png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -60,8 +62,9 @@ impl Args {
     /// Runs the command.
     pub fn run(self) -> Result<(), Stop> {
         self.check()?;
-        let phases = Phases::new(8);
-        phases.begin("reading the mesh");
+        let bar = Bar::new(PHASES);
+        let begin = |what: &'static str| bar.advance(PHASES, what);
+        begin("reading the mesh");
         let mesh = self.given.mesh()?;
         if self.norm.is_some() && mesh.dimension > 3 {
             let reason = format!(
@@ -75,10 +78,10 @@ impl Args {
             return Err(Stop::Usage(reason));
         }
         let source = self.given.source()?;
-        let report = curvature(&mesh, &source, &self.request(), &|what| phases.begin(what))?;
-        phases.begin("writing");
+        let report = curvature(&mesh, &source, &self.request(), &begin).map_err(stopped)?;
+        begin("writing");
         self.write(&report)?;
-        drop(phases);
+        drop(bar);
         self.show(&report)
     }
 
@@ -155,7 +158,7 @@ impl Args {
 fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
     let more = report.boundary != "none";
     let name = if more { ",boundary" } else { "" };
-    writeln!(out, "vertex,element,face,hinge{name},total")?;
+    writeln!(out, "vertex,cells,faces,hinges{name},total")?;
     for v in &report.vertices {
         write!(out, "{},", v.vertex)?;
         files::parts(out, &v.sums)?;
@@ -166,15 +169,22 @@ fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
 /// How a picture is written.
 enum Picture {
     Svg,
+    #[cfg(feature = "png")]
     Png,
 }
 
 impl Picture {
     fn of(path: &Path) -> Result<Self, Stop> {
-        let end = path.extension().unwrap_or_default().to_ascii_lowercase();
-        match end.to_str() {
+        let end = path.extension().map(OsStr::to_ascii_lowercase);
+        match end.as_deref().and_then(OsStr::to_str) {
             Some("svg") => Ok(Self::Svg),
+            #[cfg(feature = "png")]
             Some("png") => Ok(Self::Png),
+            #[cfg(not(feature = "png"))]
+            Some("png") => Err(Stop::Input(format!(
+                "{}: this build draws .svg only; cargo build --release -p regge-cli --features png draws .png too",
+                path.display()
+            ))),
             _ => Err(Stop::Usage(format!(
                 "{}: a picture ends in .svg or .png",
                 path.display()
@@ -192,6 +202,7 @@ fn draw(path: &Path, report: &CurvatureReport, fields: &Fields) -> Result<(), St
     let svg = map::svg(fields, &title).map_err(Stop::Input)?;
     let bytes = match Picture::of(path)? {
         Picture::Svg => svg.into_bytes(),
+        #[cfg(feature = "png")]
         Picture::Png => map::png(&svg).map_err(Stop::Failed)?,
     };
     output::write_by(path, |out| out.write_all(&bytes))
