@@ -29,7 +29,9 @@ fn sources(root: &Path) -> BTreeMap<Module, String> {
                 collect(root, &path, all);
             } else if path.extension().is_some_and(|e| e == "rs") {
                 let text = fs::read_to_string(&path).expect("a readable source");
-                let code = text.lines().map(|line| line.split("//").next().unwrap_or(""));
+                let code = text
+                    .lines()
+                    .map(|line| line.split("//").next().unwrap_or(""));
                 all.insert(module(root, &path), code.collect::<Vec<_>>().join("\n"));
             }
         }
@@ -147,7 +149,12 @@ fn plan(root: &Path) -> BTreeMap<String, (usize, usize)> {
         let Some(floor) = cells.next().and_then(|c| c.trim().parse::<usize>().ok()) else {
             continue;
         };
-        let names = cells.next().unwrap_or_default().split('`').skip(1).step_by(2);
+        let names = cells
+            .next()
+            .unwrap_or_default()
+            .split('`')
+            .skip(1)
+            .step_by(2);
         for (place, name) in names.enumerate() {
             let name = name.trim_start_matches("mod@").trim_end_matches("()");
             plan.insert(name.to_owned(), (floor, place));
@@ -165,7 +172,10 @@ fn root(package: &str) -> PathBuf {
 fn no_file_imports_a_file_that_imports_it() {
     for package in PACKAGES {
         let arrows = arrows(&root(package));
-        assert!(!arrows.is_empty() || package.contains("oracle"), "{package}: no imports seen");
+        assert!(
+            !arrows.is_empty() || package.contains("oracle"),
+            "{package}: no imports seen"
+        );
         for (from, to) in &arrows {
             let related = from.starts_with(to) || to.starts_with(from);
             let back = arrows.contains(&(to.clone(), from.clone()));
@@ -211,6 +221,9 @@ fn circles_and_upward_imports_are_seen() {
     let code = "use super::b::X;\nuse crate::{d::{e, f::Y}, g};\nlet z = crate::h::z();";
     let seen = imports(&module("a::c"), false, code);
     for path in ["a::b::X", "d::e", "d::f::Y", "g", "h::z"] {
-        assert!(seen.contains(&module(path)), "{path} is missing in {seen:?}");
+        assert!(
+            seen.contains(&module(path)),
+            "{path} is missing in {seen:?}"
+        );
     }
 }

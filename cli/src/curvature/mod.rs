@@ -44,8 +44,8 @@ pub struct Request {
     pub quadrature: Option<usize>,
     /// Sums for all test functions of this degree, beside the hat functions.
     pub test_degree: Option<usize>,
-    /// The error in H⁻² too?
-    pub norm: bool,
+    /// The error in this norm too, a name of `regge_curvature::norm::Kind`.
+    pub norm: Option<&'static str>,
     /// The boundary's part.
     pub boundary: Boundary,
     /// Hinges, faces, cells and R_h one by one?

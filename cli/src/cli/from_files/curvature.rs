@@ -2,8 +2,10 @@
 
 use super::files::{self, Files};
 use super::given::{DETAILS, Given, stopped};
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use regge_cli::curvature::{Boundary, CurvatureReport, Fields, Request, curvature};
 use regge_cli::{map, vtu};
+use regge_curvature::norm::Kind;
 use regge_terminal::{Bar, Out, Stop, output};
 use std::ffi::OsStr;
 use std::io::{self, Write};
@@ -27,8 +29,8 @@ pub struct Args {
     #[arg(long, value_name = "Q", value_parser = clap::value_parser!(u64).range(1..=8))]
     test_degree: Option<u64>,
     /// Also the error against the smooth metric in this norm
-    #[arg(long, conflicts_with = "lengths")]
-    norm: Option<Norm>,
+    #[arg(long, conflicts_with = "lengths", value_parser = norms())]
+    norm: Option<String>,
     /// What is done on the boundary
     #[arg(long, default_value = "none")]
     boundary: AtBoundary,
@@ -42,11 +44,12 @@ pub struct Args {
     plot: Option<PathBuf>,
 }
 
-/// Norms that can be asked for.
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Norm {
-    /// H^-2 by Hellan, Herrmann and Johnson, N = 2 and 3
-    Hm2,
+/// Norms that can be asked for: those of the library's table, which is the same for every dimension.
+fn norms() -> PossibleValuesParser {
+    let kinds = Kind::<2>::ALL.iter();
+    kinds
+        .map(|kind| PossibleValue::new(kind.name).help(kind.about))
+        .into()
 }
 
 /// What is done on the boundary.
@@ -66,11 +69,9 @@ impl Args {
         let begin = |what: &'static str| bar.advance(PHASES, what);
         begin("reading the mesh");
         let mesh = self.given.mesh()?;
-        if self.norm.is_some() && mesh.dimension > 3 {
-            let reason = format!(
-                "--norm hm2 is for dimensions 2 and 3, not {}",
-                mesh.dimension
-            );
+        if let Some(name) = self.norm.as_ref().filter(|_| mesh.dimension > 3) {
+            let n = mesh.dimension;
+            let reason = format!("--norm {name} is for dimensions 2 and 3, not {n}");
             return Err(Stop::Usage(reason));
         }
         if self.plot.is_some() && mesh.dimension != 2 {
@@ -103,7 +104,10 @@ impl Args {
             degree: self.given.degree,
             quadrature: self.given.quadrature(),
             test_degree: self.test_degree.map(|degree| degree as usize),
-            norm: self.norm.is_some(),
+            norm: self.norm.as_deref().map(|name| {
+                let kind = Kind::<2>::named(name);
+                kind.expect("the parser knows the table").name
+            }),
             boundary: match self.boundary {
                 AtBoundary::None => Boundary::None,
                 AtBoundary::GaussBonnet => Boundary::GaussBonnet,
@@ -145,10 +149,10 @@ impl Args {
         if let Some(residual) = report.gauss_bonnet_residual {
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
         }
-        if let Some(norm) = &report.hm2 {
+        for norm in report.norms.values() {
             let unsettled = norm.quadrature.is_unsettled();
             let state = if unsettled { ", NOT settled" } else { "" };
-            writeln!(out, "error in H^-2 {:.12e}{state}", norm.error)?;
+            writeln!(out, "error in {} {:.12e}{state}", norm.symbol, norm.error)?;
         }
         files::show_written(&mut out, self.paths())
     }
