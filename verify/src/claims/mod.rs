@@ -36,13 +36,11 @@ mod functional;
 mod numerical;
 mod variation;
 
+pub use crate::harness::Catalogue;
 pub(crate) use einstein::second_variation;
 
-use crate::harness::{Check, Record};
+use crate::harness::Record;
 use regge_curvature::formulas::{Formulas, Paper};
-
-/// The claims of the catalogue, in its order.
-pub type Catalogue = Vec<Check>;
 
 /// All of them, by the formulas of the paper.
 pub fn catalogue() -> Catalogue {

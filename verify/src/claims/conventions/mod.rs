@@ -6,7 +6,7 @@ mod second_form;
 mod surface;
 mod traces;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::point;
 use regge_curvature::formulas::Formulas;
 

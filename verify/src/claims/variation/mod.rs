@@ -5,7 +5,7 @@ mod segment;
 mod simplex;
 mod theorem;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::mesh;
 use regge_curvature::formulas::Formulas;
 

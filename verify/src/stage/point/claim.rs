@@ -3,7 +3,8 @@
 use super::instance::Instance;
 use crate::exact::Fp;
 use crate::harness::{
-    Cases, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record, Timed, has,
+    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record, Timed,
+    has,
 };
 use num_dual::Dual64;
 use regge_curvature::formulas::Formulas;
@@ -74,8 +75,10 @@ fn over_all(cases: Cases, dimensions: &[usize]) -> Cases {
 
 /// Adds a claim in dimension N by both methods, as far as it is meaningful there.
 ///
-/// The conditions are constants, so that nothing is compiled for dimensions and scalars that a claim does not have.
-pub fn add<C: Pointwise, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
+/// The conditions are constants, so that nothing is compiled for dimensions and scalars that a claim does not have. There
+/// is one caller for each claim and dimension: inlined, it is no function of its own.
+#[inline(always)]
+pub fn add<C: Pointwise, K: Formulas, const N: usize>(all: &mut Catalogue) {
     if const { has(C::DIMENSIONS, N) && !matches!(C::OVER, Over::Integers) } {
         let method = match C::OVER {
             Over::Oracle => Method::Oracle,
@@ -99,6 +102,7 @@ pub fn add<C: Pointwise, K: Formulas, const N: usize>(all: &mut Vec<Check>) {
     }
 }
 
+#[inline(always)]
 fn of_claim<C: Pointwise>(dimension: usize, method: Method, kind: Kind) -> Check {
     Check {
         record: &C::RECORD,
@@ -109,6 +113,7 @@ fn of_claim<C: Pointwise>(dimension: usize, method: Method, kind: Kind) -> Check
     }
 }
 
+#[inline(always)]
 fn on_numbers<C: Pointwise, K: Formulas, S: Timed, const N: usize>(
     cases: Cases,
     judgement: Judgement,
@@ -117,7 +122,14 @@ fn on_numbers<C: Pointwise, K: Formulas, S: Timed, const N: usize>(
         judgement,
         cases: over_all(cases, C::DIMENSIONS),
         count: Instance::<S, N>::count(),
-        equations: |numbers| C::equations::<K, S, N>(&Instance::from_numbers(numbers)),
+        equations: equations::<C, K, S, N>,
         shrinks: true,
     }
+}
+
+/// What the harness calls: all that is compiled for each claim, scalar and dimension.
+fn equations<C: Pointwise, K: Formulas, S: Timed, const N: usize>(
+    numbers: &[S::Base],
+) -> Vec<Equation<S::Base>> {
+    C::equations::<K, S, N>(&Instance::from_numbers(numbers))
 }
