@@ -72,7 +72,7 @@ fn leading_minor<F: Field, const N: usize>(g: &Mat<F, N>, k: usize) -> F {
     product
 }
 
-/// At a point Tr(σ|_S) ω_S = 2V̇_S, whatever Θ_S.
+/// At every point Tr(σ|_S) ω_S = 2V̇_S; Θ_S is a factor of both sides.
 impl Pointwise for M12 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[3, 4, 5];

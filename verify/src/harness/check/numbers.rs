@@ -1,6 +1,6 @@
 //! Checks whose cases are lists of random numbers of one length: claims that hold at a point, and exact integrals.
 
-use super::Cases;
+use super::budget::Cases;
 use crate::harness::case::Key;
 use crate::harness::equation::Equation;
 use crate::harness::judgement::Judgement;
@@ -8,7 +8,6 @@ use crate::harness::scalar::Ground;
 use crate::harness::tally::{Case, Tally};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
-use regge_curvature::formulas::Formulas;
 
 /// Equations between things that are made of random numbers.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,6 @@
 use super::instance::{Instance, still_jet};
 use crate::harness::{Ground, Timed};
 use regge_curvature::density::{Normal, Side, surface_div};
-use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form};
 use regge_curvature::riemann::Connection;
