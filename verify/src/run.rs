@@ -99,6 +99,7 @@ pub fn run_catalogue(
     let budget = Budget {
         seed: options.seed,
         quick: options.quick,
+        formulas: options.formulas,
     };
     let total = checks.len();
     let run_one = |check: &Check| {
