@@ -2,15 +2,11 @@
 //!
 //! A piece of the unit sphere in the stereographic chart, R = 2. `cargo run --example gauss_bonnet`
 
-use regge_curvature::functional::{Rules, boundary_curvature, distributional_curvature};
-use regge_curvature::interpolate::Interpolant;
-use regge_curvature::mesh::Mesh;
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::Smooth;
+use regge_curvature::functional::boundary_curvature;
 use regge_curvature::project::{Projection, Tested};
-use regge_curvature::scalar::Lanes;
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::ReggeSpace;
+use regge_curvature::{
+    Interpolant, Lagrange, Mesh, Metric, ReggeSpace, Rules, Smooth, distributional_curvature,
+};
 use std::f64::consts::PI;
 
 fn main() -> Result<(), regge_curvature::Error> {
@@ -19,10 +15,8 @@ fn main() -> Result<(), regge_curvature::Error> {
         let mesh = Mesh::<2>::cube(side)?;
         let space = ReggeSpace::new(&mesh, 2);
         let sphere = Smooth::new(&mesh, Metric::Sphere)?;
-        let g = Interpolant::canonical()
-            .with_order(12)
-            .apply(&space, &sphere)?;
-        let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new(2, 24));
+        let g = Interpolant::canonical().apply(&space, &sphere)?;
+        let (test, rules) = (Lagrange::new(&mesh, 2), Rules::on(&mesh, 24));
         let inside = distributional_curvature(&g, &test, &rules).total();
         let boundary = boundary_curvature(&g, &test, &rules).total();
         let [a, b]: [f64; 2] = [&inside, &boundary].map(|list| list.iter().sum());

@@ -3,14 +3,13 @@
 //! The surface z = sin x cos y; its scalar curvature comes out of the same kernel from exact derivatives. Interpolants
 //! of degree r converge in H⁻² with order r + 1 (at least for r ≥ 1; Paper: cor:conv). `cargo run --example graph`
 
-use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
-use regge_curvature::interpolate::Interpolant;
+use regge_curvature::functional::smooth_curvature;
 use regge_curvature::linalg::{Mat, symmetric};
-use regge_curvature::mesh::Mesh;
-use regge_curvature::metrics::{Smooth, SmoothTensor};
-use regge_curvature::norm::HMinus2;
-use regge_curvature::scalar::{Lanes, Real};
-use regge_curvature::spaces::ReggeSpace;
+use regge_curvature::metrics::SmoothTensor;
+use regge_curvature::scalar::Real;
+use regge_curvature::{
+    HMinus2, Interpolant, Mesh, ReggeSpace, Rules, Smooth, distributional_curvature,
+};
 
 /// I + ∇f ⊗ ∇f for f = sin x cos y.
 struct Waves;
@@ -46,7 +45,7 @@ fn error(degree: usize, side: usize) -> Result<f64, regge_curvature::Error> {
         .with_order(order)
         .apply(&space, &g)?;
     let norm = HMinus2::new(&mesh, degree + 2)?;
-    let rules = Rules::new(2, order);
+    let rules = Rules::on(&mesh, order);
     let ours = distributional_curvature(&g_h, norm.space(), &rules).total();
     let theirs = smooth_curvature(&g, norm.space(), &rules);
     let load: Vec<f64> = ours.iter().zip(&theirs).map(|(a, b)| a - b).collect();

@@ -8,24 +8,21 @@
 //! direction of its own. `cargo run --example relax`
 
 use nalgebra::{DMatrix, DVector};
-use regge_curvature::functional::{Rules, action_gradient, angle_defects, regge_action};
-use regge_curvature::interpolate::Interpolant;
-use regge_curvature::mesh::{Mesh, SplitMix64};
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::Smooth;
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::{ReggeFunction, ReggeSpace, check_positive};
+use regge_curvature::functional::{action_gradient, action_hessian, angle_defects, regge_action};
+use regge_curvature::mesh::SplitMix64;
+use regge_curvature::simplex::Points;
+use regge_curvature::{Interpolant, Mesh, Metric, ReggeFunction, ReggeSpace, Rules, Smooth};
 
 const N: usize = 3;
 
 /// The action on a mesh as a function of the lengths of its inner edges.
-struct Lattice<'s> {
-    space: &'s ReggeSpace<N>,
+struct Lattice {
+    space: ReggeSpace<N>,
     inner: Vec<usize>,
     boundary: Vec<f64>,
 }
 
-impl Lattice<'_> {
+impl Lattice {
     /// The metric with these inner lengths; None if some cell is none.
     fn metric(&self, lengths: &DVector<f64>) -> Option<ReggeFunction<f64, N>> {
         let mut squares = self.boundary.clone();
@@ -33,9 +30,9 @@ impl Lattice<'_> {
             squares[edge] = length * length;
         }
         let g = self.space.function(squares).ok()?;
-        let centre = regge_curvature::simplex::Points::new(N + 1, vec![0.25; N + 1]);
+        let centre = Points::new(N + 1, vec![0.25; N + 1]);
         let positive = lengths.iter().all(|l| *l > 0.0);
-        (positive && check_positive(&g, self.space.mesh(), &centre).is_ok()).then_some(g)
+        (positive && g.check_positive(&centre).is_ok()).then_some(g)
     }
 
     /// ∂(action)/∂ℓ of the inner edges.
@@ -49,16 +46,17 @@ impl Lattice<'_> {
 
     /// The Jacobian of the gradient. Paper: the hinge term of a_h; here ∂Θ_S/∂ℓ from the library's second derivatives.
     fn jacobian(&self, lengths: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let hessian = regge_curvature::functional::action_hessian(&self.metric(lengths)?).ok()?;
+        let hessian = action_hessian(&self.metric(lengths)?).ok()?;
         let size = self.inner.len();
         let mut number = vec![usize::MAX; self.boundary.len()];
         for (i, &edge) in self.inner.iter().enumerate() {
             number[edge] = i;
         }
         let mut matrix = DMatrix::zeros(size, size);
-        for (a, b, value) in hessian {
-            if number[a] < size && number[b] < size {
-                matrix[(number[a], number[b])] += value;
+        for entry in hessian {
+            let [i, j] = [number[entry.row], number[entry.column]];
+            if i < size && j < size {
+                matrix[(i, j)] += entry.value;
             }
         }
         Some(matrix)
@@ -68,7 +66,7 @@ impl Lattice<'_> {
 /// A cube with inner vertices moved at random and a boundary that is strictly convex.
 fn bulging_cube(side: usize) -> Result<Mesh<N>, regge_curvature::Error> {
     let mesh = Mesh::<N>::cube(side)?.perturbed(0.1, 4)?;
-    let points = mesh.points().unwrap_or_default().iter();
+    let points = mesh.points().expect("a cube has coordinates").iter();
     let bulged = points.map(|x| x * (1.0 - 0.1 * x.norm_squared())).collect();
     let cells: Vec<Vec<usize>> = (0..mesh.cell_count())
         .map(|cell| mesh.vertices(N, cell).iter().map(|&v| v as usize).collect())
@@ -79,11 +77,9 @@ fn bulging_cube(side: usize) -> Result<Mesh<N>, regge_curvature::Error> {
 fn main() -> Result<(), regge_curvature::Error> {
     let mesh = bulging_cube(3)?;
     let space = ReggeSpace::new(&mesh, 0);
-    let flat = Interpolant::canonical()
-        .with_order(2)
-        .apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;
+    let flat = Interpolant::canonical().apply(&space, &Smooth::new(&mesh, Metric::Flat)?)?;
     let lattice = Lattice {
-        space: &space,
+        space,
         inner: mesh.interior(1).collect(),
         boundary: flat.coefficients().to_vec(),
     };
@@ -103,13 +99,13 @@ fn main() -> Result<(), regge_curvature::Error> {
         let (Some(g), Some(r)) = (lattice.metric(&lengths), lattice.gradient(&lengths)) else {
             return Err(stuck());
         };
-        let defects = angle_defects(&g, &Lagrange::new(&mesh, 1), 1);
-        let defect = defects.iter().fold(0.0, |m: f64, d| m.max(d.1.abs()));
-        let [inside, outside] = regge_action(&g, &mesh, &Rules::new(N, 1));
+        let defects = angle_defects(&g, &mesh, 1);
+        let defect = defects.iter().fold(0.0, |m: f64, d| m.max(d.defect.abs()));
+        let action = regge_action(&g, &mesh, &Rules::on(&mesh, 1));
         println!(
             "{step:4}   {:10.2e}   {defect:14.2e}   {:.10}",
             r.norm(),
-            inside + outside
+            action.total()
         );
         if r.norm() < 1e-12 {
             break;
@@ -139,7 +135,7 @@ fn main() -> Result<(), regge_curvature::Error> {
 
 /// A step of Levenberg and Marquardt: (JᵀJ + μ) δ = −Jᵀr, μ raised until |r| becomes smaller.
 fn better(
-    lattice: &Lattice<'_>,
+    lattice: &Lattice,
     lengths: &DVector<f64>,
     r: &DVector<f64>,
     jacobian: &DMatrix<f64>,

@@ -3,10 +3,8 @@
 //! The octahedron's edges are halved again and again, the vertices pushed onto the unit sphere; only the lengths are
 //! kept. Gauss and Bonnet: the total curvature is 8π on every mesh. `cargo run --example sphere`
 
-use regge_curvature::functional::{Rules, angle_defects, distributional_curvature};
-use regge_curvature::mesh::Mesh;
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::ReggeSpace;
+use regge_curvature::functional::angle_defects;
+use regge_curvature::{Lagrange, Mesh, ReggeSpace, Rules, distributional_curvature};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -32,10 +30,10 @@ fn main() -> Result<(), regge_curvature::Error> {
         });
         let g = space.function(squares.collect())?;
         let hats = Lagrange::new(&mesh, 1);
-        let sums = distributional_curvature(&g, &hats, &Rules::new(2, 1));
+        let sums = distributional_curvature(&g, &hats, &Rules::on(&mesh, 1));
         let total: f64 = sums.total().iter().sum();
-        let defects = angle_defects(&g, &hats, 1);
-        let largest = defects.iter().fold(0.0, |m: f64, d| m.max(d.1));
+        let defects = angle_defects(&g, &mesh, 1);
+        let largest = defects.iter().fold(0.0, |m: f64, d| m.max(d.defect));
         println!(
             "{:8}   {largest:14.8}   {:12.1e}",
             points.len(),

@@ -17,7 +17,7 @@
 //!
 //! ```
 //! use nalgebra::vector;
-//! use regge_curvature::mesh::Mesh;
+//! use regge_curvature::Mesh;
 //!
 //! # fn main() -> Result<(), regge_curvature::Error> {
 //! let points = vec![
@@ -43,10 +43,7 @@
 //! vertex leave an angle of 2π − 4π/3; the curvature of its hat function is twice that.
 //!
 //! ```
-//! use regge_curvature::functional::{Rules, distributional_curvature};
-//! use regge_curvature::spaces::Lagrange;
-//! use regge_curvature::mesh::Mesh;
-//! use regge_curvature::spaces::ReggeSpace;
+//! use regge_curvature::{Lagrange, Mesh, ReggeSpace, Rules, distributional_curvature};
 //! use std::f64::consts::PI;
 //!
 //! # fn main() -> Result<(), regge_curvature::Error> {
@@ -56,7 +53,7 @@
 //! // The coefficients of degree 0 are the squared lengths, edge by edge in the order of the mesh.
 //! let pyramid = space.function(vec![1.0; square.count(1)])?;
 //! let hats = Lagrange::new(&square, 1);
-//! let sums = distributional_curvature(&pyramid, &hats, &Rules::new(2, 1));
+//! let sums = distributional_curvature(&pyramid, &hats, &Rules::on(&square, 1));
 //! assert!((sums.hinges[4] - 2.0 * (2.0 * PI - 4.0 * PI / 3.0)).abs() < 1e-14);
 //! # Ok(())
 //! # }
@@ -67,14 +64,13 @@
 //! r keeps lengths (r = 0), or moments of lengths on edges, faces and cells.
 //!
 //! ```
-//! use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
-//! use regge_curvature::spaces::Lagrange;
+//! use regge_curvature::functional::smooth_curvature;
 //! use regge_curvature::linalg::{Mat, symmetric};
-//! use regge_curvature::mesh::Mesh;
-//! use regge_curvature::interpolate::Interpolant;
-//! use regge_curvature::spaces::ReggeSpace;
+//! use regge_curvature::metrics::SmoothTensor;
 //! use regge_curvature::scalar::Real;
-//! use regge_curvature::metrics::{Smooth, SmoothTensor};
+//! use regge_curvature::{
+//!     Interpolant, Lagrange, Mesh, ReggeSpace, Rules, Smooth, distributional_curvature,
+//! };
 //!
 //! struct Sphere;
 //! impl SmoothTensor<2> for Sphere {
@@ -91,7 +87,7 @@
 //! let space = ReggeSpace::new(&mesh, 2);
 //! let g = Interpolant::canonical().apply(&space, &sphere)?;
 //! // Paired with every hat function: cells, faces and hinges apart.
-//! let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new(2, 10));
+//! let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::on(&mesh, 10));
 //! let ours = distributional_curvature(&g, &hats, &rules);
 //! let smooth = smooth_curvature(&sphere, &hats, &rules);
 //! let middle = 40; // of 9 × 9 vertices
@@ -107,20 +103,16 @@
 //! ```
 //! use num_dual::Dual64;
 //! use regge_curvature::field::Combination;
-//! use regge_curvature::functional::{Rules, distributional_curvature};
-//! use regge_curvature::spaces::Lagrange;
-//! use regge_curvature::mesh::Mesh;
-//! use regge_curvature::metrics::Metric;
-//! use regge_curvature::interpolate::Interpolant;
-//! use regge_curvature::spaces::ReggeSpace;
-//! use regge_curvature::metrics::Smooth;
+//! use regge_curvature::{
+//!     Interpolant, Lagrange, Mesh, Metric, ReggeSpace, Rules, Smooth, distributional_curvature,
+//! };
 //!
 //! # fn main() -> Result<(), regge_curvature::Error> {
 //! let mesh = Mesh::<3>::cube(2)?;
 //! let space = ReggeSpace::new(&mesh, 1);
 //! let graph = Smooth::new(&mesh, Metric::GraphQuartic)?;
 //! let g = Interpolant::canonical().apply(&space, &graph)?;
-//! let (test, rules) = (Lagrange::new(&mesh, 2), Rules::new(3, 8));
+//! let (test, rules) = (Lagrange::new(&mesh, 2), Rules::on(&mesh, 8));
 //! let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, 1.0), &g);
 //! let rate = distributional_curvature(&moving, &test, &rules).total();
 //! let centre = 13; // the vertex in the middle of 3 × 3 × 3
@@ -138,11 +130,11 @@
 //! | floor | modules |
 //! |---|---|
 //! | 0 | [`scalar`] |
-//! | 1 | [`error`], `parallel`, [`linalg`], [`jet`] |
+//! | 1 | [`error`], `parallel`, [`linalg`], [`jet`], [`formulas`] |
 //! | 2 | [`simplex`], [`quadrature`], [`mesh`], [`field`] |
 //! | 3 | [`riemann`] |
-//! | 4 | [`hypersurface`], [`hinge`], [`formulas`] |
-//! | 5 | [`lagrange`], [`smooth`], [`metrics`], [`mod@regge`] |
+//! | 4 | [`density`] |
+//! | 5 | [`metrics`], [`spaces`], [`interpolate`], `sparse` |
 //! | 6 | [`functional`] |
 //! | 7 | `norm`, `project` (feature `norms`) |
 //!

@@ -2,19 +2,15 @@
 
 use crate::common::{bulging_cube, crooked_cube, dense, random_regge};
 use num_dual::Dual64;
-use regge_curvature::field::Combination;
+use regge_curvature::field::{Combination, PointByPoint};
 use regge_curvature::functional::{
-    Rules, action_gradient, action_hessian, boundary_curvature, boundary_mean_curvatures,
-    cell_curvatures, cell_volumes, distributional_curvature, einstein, einstein_against,
-    face_jumps, regge_action,
+    Rules, action_gradient, action_hessian, boundary_curvature, cell_volumes,
+    distributional_curvature, einstein, einstein_against, regge_action,
 };
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::Smooth;
-use regge_curvature::scalar::Lanes;
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::{BasisFunction, ReggeSpace};
+use regge_curvature::metrics::{Metric, Smooth};
+use regge_curvature::spaces::{BasisFunction, Indicators, Lagrange, ReggeSpace};
 use std::f64::consts::PI;
 
 /// Rounding: sums of some 10² terms of size 1.
@@ -57,9 +53,9 @@ fn a_flat_cube_has_the_action_of_its_edges() {
         .with_order(2)
         .apply(&space, &flat)
         .unwrap();
-    let [inside, outside] = regge_action(&g, &mesh, &Rules::new(3, 2));
-    assert!(inside.abs() < ROUNDING);
-    assert!((outside - 12.0 * 2.0 * PI / 2.0).abs() < ROUNDING);
+    let action = regge_action(&g, &mesh, &Rules::new(3, 2));
+    assert!(action.interior.abs() < ROUNDING);
+    assert!((action.boundary - 12.0 * 2.0 * PI / 2.0).abs() < ROUNDING);
     let all = action_gradient(&g).unwrap();
     for edge in mesh.interior(1) {
         assert!(
@@ -82,20 +78,50 @@ fn the_integrals_simplex_by_simplex_add_up() {
     let rules = Rules::new(3, 6);
     let sums = distributional_curvature(&g, &hats, &rules);
     let outer = boundary_curvature(&g, &hats, &rules);
-    let cells: f64 = cell_curvatures(&g, &mesh, &rules.cells).iter().sum();
-    let faces = |list: Vec<(usize, f64)>| 2.0 * list.iter().map(|f| f.1).sum::<f64>();
-    let jumps = faces(face_jumps(&g, &mesh, &rules.faces));
-    let bent = faces(boundary_mean_curvatures::<Lanes, 3, _>(
-        &g,
-        &mesh,
-        &rules.faces,
-    ));
-    assert!((cells - sums.cells.iter().sum::<f64>()).abs() < ROUNDING);
-    assert!((jumps - sums.faces.iter().sum::<f64>()).abs() < ROUNDING);
-    assert!((bent - outer.faces.iter().sum::<f64>()).abs() < ROUNDING);
-    assert!(jumps.abs() > 1e-3 && bent.abs() > 1e-3 && cells.abs() > 1e-3);
-    let volume: f64 = cell_volumes(&g, &mesh, &rules.cells).iter().sum();
-    assert!((cell_volumes(&g, &mesh, &rules.cells).iter().sum::<f64>() - volume).abs() < ROUNDING);
+    let each = Indicators::new(&mesh);
+    let (inside, bent) = (
+        distributional_curvature(&g, &each, &rules),
+        boundary_curvature(&g, &each, &rules),
+    );
+    for (pieces, whole) in [
+        (&inside.cells, &sums.cells),
+        (&inside.faces, &sums.faces),
+        (&inside.hinges, &sums.hinges),
+        (&bent.faces, &outer.faces),
+        (&bent.hinges, &outer.hinges),
+    ] {
+        let [pieces, whole] = [pieces, whole].map(|list| list.iter().sum::<f64>());
+        assert!((pieces - whole).abs() < ROUNDING, "{pieces} {whole}");
+        assert!(whole.abs() > 1e-3, "{whole}");
+    }
+    // A simplex has its own piece and no other's.
+    for (codimension, own) in [&inside.cells, &inside.faces, &inside.hinges]
+        .iter()
+        .enumerate()
+    {
+        let range = each.range(codimension);
+        let others = (0..own.len()).filter(|i| !range.contains(i));
+        assert!(others.into_iter().all(|i| own[i] == 0.0), "{codimension}");
+        let k = 3 - codimension;
+        for (simplex, piece) in own[range].iter().enumerate() {
+            assert!(mesh.is_interior(k, simplex) || *piece == 0.0);
+            assert!(!mesh.is_interior(k, simplex) || *piece != 0.0);
+        }
+    }
+}
+
+/// ω by one point at a time is ω by lanes, cell by cell.
+#[test]
+fn volumes_do_not_depend_on_lanes() {
+    let mesh = Mesh::<3>::cube(1).unwrap().perturbed(0.05, 2).unwrap();
+    let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
+    let rules = Rules::new(3, 6);
+    let wide = cell_volumes(&smooth, &mesh, &rules);
+    let single = cell_volumes(&PointByPoint(&smooth), &mesh, &rules);
+    assert_eq!(wide.len(), mesh.cell_count());
+    for (a, b) in wide.iter().zip(&single) {
+        assert!((a - b).abs() < ROUNDING * b, "{a} {b}");
+    }
 }
 
 /// All at once is what one by one gives, cells, faces and hinges apart.
@@ -109,7 +135,11 @@ fn against_all<const N: usize>(mesh: &Mesh<N>, degree: usize) {
     assert!(scale > 1e-4, "{scale}");
     for i in 0..space.len() {
         let one = einstein(&g, &BasisFunction::new(&space, i), mesh, &rules);
-        for (a, b) in [all.cells[i], all.faces[i], all.hinges[i]].iter().zip(one) {
+        for (a, b) in [
+            (all.cells[i], one.cells),
+            (all.faces[i], one.faces),
+            (all.hinges[i], one.hinges),
+        ] {
             assert!((a - b).abs() < ROUNDING * scale.max(1.0), "{i}: {a} {b}");
         }
     }
@@ -135,8 +165,8 @@ fn gradient_is_the_derivative<const N: usize>(mesh: &Mesh<N>) {
         let slope = 2.0 * g.coefficients()[edge].sqrt();
         let direction = BasisFunction::new(&space, edge);
         let moving = Combination::new(Dual64::from(1.0), &g, Dual64::new(0.0, slope), direction);
-        let [inside, outside] = regge_action(&moving, mesh, &rules);
-        let (whole, regge) = (inside.eps + outside.eps, all.gradient[edge]);
+        let action = regge_action(&moving, mesh, &rules).total();
+        let (whole, regge) = (action.eps, all.gradient[edge]);
         assert!((whole - regge).abs() < ROUNDING, "{edge}: {whole} {regge}");
         if mesh.is_interior(1, edge) {
             let weak = -0.5 * slope * einstein[edge];
@@ -156,11 +186,11 @@ fn regges_gradient_is_the_derivative_of_the_action() {
 fn gradient_obeys_euler<const N: usize>(mesh: &Mesh<N>) {
     let space = ReggeSpace::new(mesh, 0);
     let g = random_regge(&space, 0.02, 6);
-    let [inside, outside] = regge_action(&g, mesh, &Rules::new(N, 1));
+    let action = regge_action(&g, mesh, &Rules::new(N, 1)).total();
     let gradient = action_gradient(&g).unwrap().gradient;
     let squares = g.coefficients().iter();
     let paired: f64 = (squares.zip(&gradient)).map(|(q, d)| q.sqrt() * d).sum();
-    let expected = (N as f64 - 2.0) * (inside + outside);
+    let expected = (N as f64 - 2.0) * action;
     assert!(
         (paired - expected).abs() < ROUNDING,
         "N = {N}: {paired} {expected}"
@@ -240,7 +270,7 @@ fn higher_degrees_have_no_gradient_in_lengths() {
 #[cfg(feature = "norms")]
 mod projection {
     use super::*;
-    use regge_curvature::field::TensorField;
+    use regge_curvature::field::Evaluate;
     use regge_curvature::functional::integrate;
     use regge_curvature::linalg::inverse_and_det;
     use regge_curvature::project::{Projection, Tested};
@@ -260,9 +290,9 @@ mod projection {
         let value = |dof: usize| if kept(dof) { (dof as f64).sin() } else { 0.0 };
         let u: Vec<f64> = (0..space.len()).map(value).collect();
         let basis = space.basis(N).tabulate::<f64>(rule.points());
-        let table = TensorField::<f64, N>::tabulate(&g, rule.points());
+        let table = Evaluate::<f64, N>::tabulate(&g, rule.points());
         let load = integrate(&space, N, &rule, 0..mesh.cell_count(), |cell, _, q| {
-            let local = TensorField::<f64, N>::on_cell(&g, cell);
+            let local = Evaluate::<f64, N>::on_cell(&g, cell);
             let (_, det) = inverse_and_det(&g.value(&local, &table, q));
             let mine = space.cell_dofs(cell).zip(&basis[q]);
             mine.map(|(dof, b)| u[dof] * b).sum::<f64>() * det.sqrt()

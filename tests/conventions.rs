@@ -1,22 +1,19 @@
 //! The numbers of docs/conventions.md.
 
-use regge_curvature::formulas::Formulas;
+use regge_curvature::density::{Normal, Side};
+use regge_curvature::formulas::{Formulas, PAPER};
 use regge_curvature::functional::{
-    Rules, b_h, b_h_with, boundary_curvature, cell_volumes, distributional_curvature,
-    einstein_against,
+    Rules, Three, b_h, boundary_curvature, cell_volumes, distributional_curvature, einstein_against,
 };
-use regge_curvature::hypersurface::{Normal, mean_curvature, second_form, trace_reversed};
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, identity, symmetric};
 use regge_curvature::mesh::Mesh;
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::SmoothTensor;
+use regge_curvature::metrics::{Metric, SmoothTensor};
 use regge_curvature::quadrature::Rule;
 use regge_curvature::riemann::{Connection, reverse_trace, trace};
 use regge_curvature::scalar::Real;
 use regge_curvature::simplex::subsets;
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::{ReggeSpace, dofs_per_simplex};
+use regge_curvature::spaces::{Lagrange, ReggeSpace, dofs_per_simplex};
 use std::f64::consts::PI;
 
 /// A few units in the last place of numbers of size 10.
@@ -41,11 +38,11 @@ fn curvature_is_positive_on_spheres() {
         let ricci = connection.ricci();
         (0..N).for_each(|i| (0..N).for_each(|j| close(ricci[(i, j)], (n - 1.0) * g[(i, j)])));
         close(
-            trace(&inverse, &connection.einstein()),
+            trace(&inverse, &connection.einstein(&PAPER)),
             -(n - 2.0) / 2.0 * r,
         );
         close(
-            trace(&inverse, &reverse_trace(&g, &inverse, &g)),
+            trace(&inverse, &reverse_trace(&PAPER, &g, &inverse, &g)),
             (1.0 - n) * n,
         );
     }
@@ -75,12 +72,19 @@ fn mean_curvature_is_positive_on_spheres_seen_from_inside() {
     let connection = Connection::new(&flat);
     let nu: Vector<Jet1<f64, 3>, 3> =
         Vector::from_fn(|i, _| Jet1::coordinate(f64::from(u8::from(i == 0)), i));
-    let normal = Normal::new(&connection.inverse, &nu.map(|x| x.value));
+    let side = Side::new(&PAPER, &connection, &nu);
+    let normal = &side.normal;
+    let alone = Normal::new(
+        &PAPER,
+        &connection.inverse,
+        connection.det,
+        &nu.map(|x| x.value),
+    );
+    close((alone.n - normal.n).norm(), 0.0);
     close(normal.normal_normal(&connection.g), 1.0);
-    let form = second_form(&connection, &nu, &normal);
-    let h = mean_curvature(&normal, &form);
-    close(h, 2.0);
-    close(normal.trace(&trace_reversed(&connection.g, &form, h)), -2.0);
+    close(side.mean_curvature, 2.0);
+    close(side.densitized_mean_curvature(), 2.0);
+    close(normal.trace(&side.trace_reversed()), -2.0);
 }
 
 /// ∂Δ^{N+1} with all edges 1.
@@ -112,7 +116,7 @@ fn a_triangle_has_a_volume_and_a_total() {
     let space = ReggeSpace::new(&mesh, 0);
     let g = space.function(vec![1.0; 3]).unwrap();
     let rules = Rules::new(2, 1);
-    close(cell_volumes(&g, &mesh, &rules.cells)[0], 3f64.sqrt() / 4.0);
+    close(cell_volumes(&g, &mesh, &rules)[0], 3f64.sqrt() / 4.0);
     let outer = boundary_curvature(&g, &Lagrange::new(&mesh, 1), &rules);
     close(outer.total().iter().sum(), 4.0 * PI);
     close(outer.hinges[0], 2.0 * (PI - PI / 3.0));
@@ -126,21 +130,19 @@ fn sums_are_paired_with_coefficients() {
     let g = space.function(vec![1.0; space.len()]).unwrap();
     let hats = Lagrange::new(&mesh, 1);
     let sums = distributional_curvature(&g, &hats, &Rules::new(2, 1));
-    let [cells, edges, vertices] = sums.pair(&[0.0, 1.0, -2.0, 5.0]);
-    assert_eq!([cells, edges], [0.0; 2]);
-    close(vertices, 8.0 * PI);
+    let Three {
+        cells,
+        faces,
+        hinges,
+    } = sums.pair(&[0.0, 1.0, -2.0, 5.0]);
+    assert_eq!([cells, faces], [0.0; 2]);
+    close(hinges, 8.0 * PI);
 }
 
 /// b_h with σ = g is (1−N) ∫ Δv and back by the divergence theorem: Δλ_0² = 2|∇λ_0|² = 8/3 on an area of √3/4. Without
 /// the boundary its face sum is empty here.
 #[test]
 fn b_h_counts_the_faces_of_the_boundary() {
-    struct InteriorFaces;
-    impl Formulas for InteriorFaces {
-        fn face_in_b(interior: bool) -> bool {
-            interior
-        }
-    }
     let mesh = Mesh::<2>::single().unwrap();
     let space = ReggeSpace::new(&mesh, 0);
     let g = space.function(vec![1.0; 3]).unwrap();
@@ -148,7 +150,11 @@ fn b_h_counts_the_faces_of_the_boundary() {
     let b = b_h(&g, &g, &squares, &rules);
     close(b.faces[0], 2.0 / 3f64.sqrt());
     close(b.cells[0], -2.0 / 3f64.sqrt());
-    let inner = b_h_with::<InteriorFaces, f64, 2, _, _>(&g, &g, &squares, &rules);
+    let inner = rules.with_formulas(Formulas {
+        b_on_boundary: false,
+        ..PAPER
+    });
+    let inner = b_h(&g, &g, &squares, &inner);
     assert_eq!(inner.faces, vec![0.0; squares.len()]);
     assert_eq!(inner.cells, b.cells);
 }

@@ -6,7 +6,6 @@ use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::Smooth;
 use regge_curvature::norm::HMinus2;
-use regge_curvature::scalar::Lanes;
 use regge_curvature::spaces::ReggeSpace;
 
 /// h and the H⁻² error of the densitized curvature on the paper's perturbed mesh.

@@ -1,6 +1,6 @@
 //! Fields made of fields, and what tells a metric from a tensor that is none.
 
-use regge_curvature::field::{Combination, TensorField};
+use regge_curvature::field::{Combination, Evaluate};
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, indefinite_pivot, symmetric};
 use regge_curvature::simplex::Points;
@@ -11,7 +11,7 @@ struct Given {
     constant: bool,
 }
 
-impl TensorField<f64, 2> for Given {
+impl Evaluate<f64, 2> for Given {
     type Table = ();
     type Local = ();
 
@@ -63,10 +63,10 @@ fn constants_are_known_through_what_is_made_of_them() {
             constant,
         };
         let (a, b) = (given(one), given(other));
-        let through = <&Given as TensorField<f64, 2>>::is_constant(&&a);
+        let through = <&Given as Evaluate<f64, 2>>::is_constant(&&a);
         assert_eq!(through, one);
         let sum = Combination::new(1.0, &a, 1.0, &b);
-        assert_eq!(TensorField::<f64, 2>::is_constant(&sum), one && other);
+        assert_eq!(Evaluate::<f64, 2>::is_constant(&sum), one && other);
     }
 }
 

@@ -2,10 +2,8 @@
 
 use regge_curvature::field::Combination;
 use regge_curvature::functional::{Rules, a_h, b_h, distributional_curvature, smooth_curvature};
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::Smooth;
+use regge_curvature::metrics::{Metric, Smooth};
 use regge_curvature::quadrature::gauss_legendre;
-use regge_curvature::scalar::{Field, Lanes, Real};
 use regge_curvature::spaces::Lagrange;
 use regge_oracle::{Oracle, all as load_all};
 
@@ -64,10 +62,10 @@ fn the_integral_formula_holds_on_an_oracle() {
     let rules = Rules::new(3, 24);
     let mut difference = distributional_curvature(&g_h, &test, &rules).total();
     let smooth = smooth_curvature(&g, &test, &rules);
-    let sigma = Combination::new(-Lanes::one(), &g, Lanes::one(), &g_h);
+    let sigma = Combination::new(-1.0, &g, 1.0, &g_h);
     let (nodes, weights) = gauss_legendre(6);
     for (t, w) in nodes.into_iter().zip(weights) {
-        let segment = Combination::segment(&g, &g_h, Lanes::from_f64(t));
+        let segment = Combination::segment(&g, &g_h, t);
         let b = b_h(&segment, &sigma, &test, &rules).total();
         let a = a_h(&segment, &sigma, &test, &rules).total();
         for (i, d) in difference.iter_mut().enumerate() {

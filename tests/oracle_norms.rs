@@ -7,7 +7,6 @@ use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::Smooth;
 use regge_curvature::norm::HMinus2;
 use regge_curvature::quadrature::Rule;
-use regge_curvature::scalar::Lanes;
 use regge_curvature::spaces::ReggeFunction;
 use regge_oracle::{Oracle, all as load_all};
 

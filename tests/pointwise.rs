@@ -2,10 +2,8 @@
 
 use crate::common::draw::{Outcome, Source, check, close, vanishes};
 use nalgebra::DMatrix;
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::{
-    Normal, mean_curvature, omega_f, outward, second_form, surface_div,
-};
+use regge_curvature::density::{Corner, Normal, Side, omega, outward, surface_div};
+use regge_curvature::formulas::PAPER;
 use regge_curvature::jet::{Jet1, lower, lower_vector};
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form, symmetric};
 use regge_curvature::riemann::{Connection, Curvature};
@@ -50,7 +48,10 @@ fn products<const N: usize>(source: &mut Source<'_>) -> Outcome {
     let trace = connection.trace(&sigma);
     close("Tr σ", trace, connection.inner(&connection.g, &sigma))?;
     let reversed = sigma - connection.g * trace;
-    vanishes("𝕊σ", (connection.reverse_trace(&sigma) - reversed).iter())
+    vanishes(
+        "𝕊σ",
+        (connection.reverse_trace(&PAPER, &sigma) - reversed).iter(),
+    )
 }
 
 /// ∇g = 0, div (f g) = df.
@@ -131,7 +132,7 @@ fn curvature_symmetries<const N: usize>(source: &mut Source<'_>) -> Outcome {
         scalar += inverse[(i, k)] * inverse[(j, l)] * r(i, j, k, l);
     }
     close("R", curvature.scalar(), scalar)?;
-    let (ricci, einstein) = (curvature.ricci(), curvature.einstein());
+    let (ricci, einstein) = (curvature.ricci(), curvature.einstein(&PAPER));
     close("Tr Ric", connection.trace(&ricci), scalar)?;
     let reversed = ricci - connection.g * (scalar / 2.0);
     vanishes("G", (einstein - reversed).iter())
@@ -172,9 +173,10 @@ fn hypersurface<const N: usize>(source: &mut Source<'_>) -> Outcome {
     let sigma = lower(&lower(&source.tensor::<N>()));
     let connection = Connection::new(&g);
     let nu: Vector<Jet1<f64, N>, N> = outward(1);
-    let field = Normal::new(&connection.inverse, &nu);
+    let field = Normal::new(&PAPER, &connection.inverse, connection.det, &nu);
     let low = connection.lower();
-    let normal = Normal::new(&low.inverse, &nu.map(|x| x.value));
+    let side = Side::new(&PAPER, &low, &nu);
+    let normal = &side.normal;
     close("g(n, n)", normal.normal_normal(&low.g), 1.0)?;
     close(
         "|ν|",
@@ -187,19 +189,22 @@ fn hypersurface<const N: usize>(source: &mut Source<'_>) -> Outcome {
         low.trace(&sigma) - normal.normal_normal(&sigma),
     )?;
     let bend = low.nabla_vector(&field.n);
-    let ii = second_form(&low, &nu, &normal);
     let mut h = 0.0;
     for i in 1..N {
         close("n ⟂ F", apply(&low.g, &normal.n)[i], 0.0)?;
         for j in 1..N {
             let expected: f64 = (0..N).map(|k| bend[(i, k)] * low.g[(k, j)]).sum();
-            close("II", ii[(i, j)], expected)?;
+            close("II", side.second_form[(i, j)], expected)?;
             h += normal.tangential[(i, j)] * expected;
         }
     }
-    close("H", mean_curvature(&normal, &ii), h)?;
+    close("H", side.mean_curvature, h)?;
+    let density = h * side.normal.omega;
+    close("H ω_F", side.densitized_mean_curvature(), density)?;
+    let reversed = side.second_form - low.g * h;
+    vanishes("II‾", (side.trace_reversed() - reversed).iter())?;
     let along_n = form(&low.nabla_covector(&alpha), &normal.n, &normal.n);
-    let div = surface_div(&low, &normal, &alpha);
+    let div = surface_div(&low, normal, &alpha);
     close("div_F α", div, low.div_covector(&alpha) - along_n)
 }
 
@@ -209,19 +214,20 @@ fn hinge<const N: usize>(source: &mut Source<'_>) -> Outcome {
     let sigma = lower(&lower(&source.tensor::<N>()));
     for (a, b) in [(0, 1), (1, 2), (N, 1)] {
         let nu: [Vector<f64, N>; 2] = [outward(a), outward(b)];
-        let hinge = Hinge::new(&connection.inverse, [&nu[0], &nu[1]]);
+        let (inverse, det) = (&connection.inverse, connection.det);
+        let hinge = Corner::new(&PAPER, inverse, det, [&nu[0], &nu[1]]);
         let product = |x: &Vector<f64, N>, y: &Vector<f64, N>| form(&connection.g, x, y);
         let tau = [hinge.conormal(0), hinge.conormal(1)];
         for face in 0..2 {
             let (n, t) = (hinge.normal(face), tau[face]);
-            let unit = Normal::new(&connection.inverse, &nu[face]).n;
+            let unit = Normal::new(&PAPER, inverse, det, &nu[face]).n;
             vanishes("n", (n - unit).iter())?;
             close("g(τ, τ)", product(&t, &t), 1.0)?;
             close("g(n, τ)", product(&n, &t), 0.0)?;
             let inwards = contract(&nu[1 - face], &t) < 0.0;
             close("τ points into the face", f64::from(u8::from(inwards)), 1.0)?;
             let rest = form(&sigma, &n, &n) + form(&sigma, &t, &t);
-            let trace = hinge.trace(&connection.inverse, &sigma);
+            let trace = hinge.trace(&sigma);
             close("Tr(σ|_S)", trace, connection.trace(&sigma) - rest)?;
         }
         let (sin, cos) = hinge.dihedral();
@@ -243,12 +249,14 @@ fn measures<const N: usize>(source: &mut Source<'_>) -> Outcome {
     close("det g", connection.det, minor(0).determinant())?;
     let nu = [outward(1), outward(2)];
     let face = minor(1).determinant().sqrt();
-    close("ω_F", omega_f(&connection, &nu[0]), face)?;
-    let hinge = Hinge::new(&connection.inverse, [&nu[0], &nu[1]]);
+    let (inverse, det) = (&connection.inverse, connection.det);
+    close("ω", omega(&PAPER, det), minor(0).determinant().sqrt())?;
+    close("ω_F", Normal::new(&PAPER, inverse, det, &nu[0]).omega, face)?;
+    let hinge = Corner::new(&PAPER, inverse, det, [&nu[0], &nu[1]]);
     let size = if N == 2 {
         1.0
     } else {
         minor(2).determinant().sqrt()
     };
-    close("ω_S", hinge.omega_s(connection.det), size)
+    close("ω_S", hinge.omega(), size)
 }

@@ -4,10 +4,8 @@
 use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::Smooth;
+use regge_curvature::metrics::{Metric, Smooth};
 use regge_curvature::norm::HMinus2;
-use regge_curvature::scalar::Lanes;
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 
 /// The H⁻² error with all rules of the curvature of this order.

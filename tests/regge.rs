@@ -1,7 +1,7 @@
 //! Regge spaces: dimensions, dual bases, continuity.
 
 use crate::common::{crooked_cube, random_regge};
-use regge_curvature::field::TensorField;
+use regge_curvature::field::Evaluate;
 use regge_curvature::interpolate::Canonical;
 use regge_curvature::linalg::{Mat, Vector, form};
 use regge_curvature::mesh::Mesh;
@@ -90,14 +90,14 @@ fn continuity<const N: usize>(degree: usize) {
         let mut seen: Vec<Vec<Mat<f64, N>>> = Vec::new();
         for side in mesh.star(N - 1, face) {
             let on = &subsets(N + 1, N)[side.place];
-            let table = TensorField::<f64, N>::tabulate(&g, &rule.points().embed(on, N + 1));
-            let local = TensorField::<f64, N>::on_cell(&g, side.cell);
+            let table = Evaluate::<f64, N>::tabulate(&g, &rule.points().embed(on, N + 1));
+            let local = Evaluate::<f64, N>::on_cell(&g, side.cell);
             let to_x = mesh
                 .jacobian(side.cell)
                 .and_then(|j| j.try_inverse())
                 .expect("regular");
             let at = |q: usize| -> Mat<f64, N> {
-                to_x.transpose() * TensorField::<f64, N>::value(&g, &local, &table, q) * to_x
+                to_x.transpose() * Evaluate::<f64, N>::value(&g, &local, &table, q) * to_x
             };
             seen.push((0..rule.len()).map(at).collect());
         }

@@ -3,9 +3,7 @@
 
 use crate::common::{crooked_cube, random_regge};
 use regge_curvature::functional::{Rules, Sums, a_h, b_h, distributional_curvature};
-use regge_curvature::scalar::Lanes;
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::ReggeSpace;
+use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
 fn with_threads(threads: usize) -> [Sums<f64>; 3] {
     let pool = rayon::ThreadPoolBuilder::new()

@@ -8,19 +8,18 @@
 //! SCALAR is f64, lanes or dual.
 
 use num_dual::Dual64;
-use regge_curvature::field::TensorField;
-use regge_curvature::functional::{Rules, Sums, distributional_curvature};
-use regge_curvature::interpolate::Interpolant;
+use regge_curvature::field::{Evaluate, PointByPoint};
+use regge_curvature::functional::Sums;
 use regge_curvature::jet::lower;
 use regge_curvature::linalg::{Mat, symmetric};
-use regge_curvature::mesh::Mesh;
-use regge_curvature::metrics::Metric;
-use regge_curvature::metrics::{Smooth, SmoothTensor};
+use regge_curvature::metrics::SmoothTensor;
 use regge_curvature::quadrature::Rule;
 use regge_curvature::riemann::{Connection, Curvature};
-use regge_curvature::scalar::{Lanes, Lift, Real};
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::ReggeSpace;
+use regge_curvature::scalar::Real;
+use regge_curvature::{
+    Interpolant, Lagrange, Mesh, Metric, ReggeFunction, ReggeSpace, Rules, Smooth, TensorField,
+    distributional_curvature,
+};
 use serde_json::{Value, json};
 use std::time::Instant;
 
@@ -52,33 +51,39 @@ struct Job {
     repeats: usize,
 }
 
-/// The canonical interpolant of the paper's metric: its curvature, timed, and its three sums at inner vertices.
-fn functional<T: Real, const N: usize>(job: Job, real: impl Fn(&T::Sum) -> f64) -> Value
-where
-    f64: Lift<T>,
-{
+/// The canonical interpolant of the paper's metric.
+fn interpolant<const N: usize>(job: Job) -> ReggeFunction<f64, N> {
     let mesh = mesh::<N>(job.level, SEED);
     let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
     let space = ReggeSpace::new(&mesh, job.degree);
     let order = 2 * job.degree + 12;
-    let g_h = Interpolant::canonical()
+    Interpolant::canonical()
         .with_order(order)
         .apply(&space, &g)
-        .expect("a metric");
-    let test = Lagrange::new(&mesh, job.test_degree);
-    let rules = Rules::new(N, 2 * (job.degree + 2));
+        .expect("a metric")
+}
+
+/// The curvature of a metric in the field's scalars, timed, and its three sums at inner vertices.
+fn functional<const N: usize, G: TensorField<N>>(
+    job: Job,
+    mesh: &Mesh<N>,
+    g: &G,
+    real: impl Fn(&G::Scalar) -> f64,
+) -> Value {
+    let test = Lagrange::new(mesh, job.test_degree);
+    let rules = Rules::on(mesh, 2 * (job.degree + 2));
     let mut best = f64::INFINITY;
-    let mut sums: Option<Sums<T::Sum>> = None;
+    let mut sums: Option<Sums<G::Scalar>> = None;
     for _ in 0..job.repeats {
         let start = Instant::now();
-        sums = Some(distributional_curvature(&g_h, &test, &rules));
+        sums = Some(distributional_curvature(g, &test, &rules));
         best = best.min(start.elapsed().as_secs_f64());
     }
     let sums = sums.expect("at least one run");
     let inner: Vec<usize> = (0..mesh.count(0))
         .filter(|&v| mesh.is_interior(0, v))
         .collect();
-    let at_inner = |sum: &[T::Sum]| inner.iter().map(|&v| real(&sum[v])).collect::<Vec<_>>();
+    let at_inner = |sum: &[G::Scalar]| inner.iter().map(|&v| real(&sum[v])).collect::<Vec<_>>();
     json!({
         "cells": mesh.cell_count(),
         "seconds": best,
@@ -111,10 +116,10 @@ fn accuracy(level: u32) -> Value {
         .with_order(8)
         .apply(&space, &g)
         .expect("a metric");
-    let table = TensorField::<f64, 3>::tabulate(&g_h, Rule::new(3, 1).points());
+    let table = Evaluate::<f64, 3>::tabulate(&g_h, Rule::new(3, 1).points());
     let mut worst: f64 = 0.0;
     for cell in 0..mesh.cell_count() {
-        let local = TensorField::<f64, 3>::on_cell(&g_h, cell);
+        let local = Evaluate::<f64, 3>::on_cell(&g_h, cell);
         let jets = g_h.jet2(&local, &table, 0);
         let r = Curvature::new(&jets, &Connection::new(&lower(&jets))).scalar();
         let corners = (0..4).filter_map(|i| mesh.corner(cell, i));
@@ -127,10 +132,16 @@ fn accuracy(level: u32) -> Value {
 }
 
 fn by_scalar<const N: usize>(scalar: &str, job: Job) -> Value {
+    let g = interpolant::<N>(job);
+    let mesh = g.space().mesh();
     match scalar {
-        "f64" => functional::<f64, N>(job, |x| *x),
-        "dual" => functional::<Dual64, N>(job, |x| x.re),
-        _ => functional::<Lanes, N>(job, |x| *x),
+        "f64" => functional(job, mesh, &PointByPoint(&g), |x| *x),
+        "dual" => {
+            let moving = g.coefficients().iter().map(|&c| Dual64::new(c, c));
+            let moving = g.space().function(moving.collect()).expect("as many");
+            functional(job, mesh, &moving, |x| x.re)
+        }
+        _ => functional(job, mesh, &g, |x| *x),
     }
 }
 

@@ -1,8 +1,9 @@
 //! Behind the command line `regge`: input files, curvature of what they hold, pictures.
 //!
-//! The claims are in `regge-catalogue`, the studies in `regge-study`.
+//! The readers of the files are `regge-readers`, the studies `regge-study`, the claims `regge-verify`.
 
 pub mod curvature;
 pub mod map;
 pub mod plot;
+mod svg;
 pub mod vtu;

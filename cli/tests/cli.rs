@@ -83,6 +83,18 @@ fn bad_arguments_are_one_line_and_code_2() {
 }
 
 #[test]
+fn verify_says_where_the_claims_are_checked_now() {
+    let folder = folder("verify");
+    let output = regge(&folder, "verify --only P20 --quick");
+    let said = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    let now = "cargo run --release -p regge-verify -- --only P20 --quick\n";
+    assert!(said.ends_with(now), "{said}");
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
 fn help_is_no_error() {
     let folder = folder("help");
     for arguments in ["--help", "reproduce --help", "converge --help", "--version"] {

@@ -30,7 +30,7 @@ fn boundary_terms_make_the_total_four_pi_chi() {
         assert!(number(&found, "gauss_bonnet_residual").abs() < residual);
         assert_eq!(found["vertices"].as_array().map(Vec::len), Some(5));
         let table = fs::read_to_string(folder.join("v.csv")).expect("a table");
-        assert!(table.starts_with("vertex,element,face,hinge,boundary,total\n"));
+        assert!(table.starts_with("vertex,cells,faces,hinges,boundary,total\n"));
     }
     let paper = curvature(&folder, "--mesh m.json --metric g.toml");
     assert_eq!(paper["boundary"], "none");
@@ -132,7 +132,7 @@ fn groups_are_kept_in_json_and_vtu() {
 }
 
 #[test]
-fn a_picture_is_svg_or_png() {
+fn a_picture_shows_every_cell_and_every_inner_vertex() {
     let folder = folder("picture");
     write(&folder, "m.json", SQUARE);
     write(&folder, "g.toml", GRAPH);
@@ -143,11 +143,38 @@ fn a_picture_is_svg_or_png() {
     assert_eq!(svg.matches("<polygon").count(), 12);
     assert_eq!(svg.matches("<circle").count(), 1);
     assert_eq!(svg.matches("font-size=\"13\"").count(), 15);
-    curvature(&folder, &format!("{command} p.png"));
-    let png = fs::read(folder.join("p.png")).expect("a picture");
-    assert!(png.starts_with(b"\x89PNG\r\n") && png.len() > 5000);
     let output = regge(&folder, &format!("{command} p.jpg"));
     assert_eq!(output.status.code(), Some(2));
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn a_picture_may_be_png() {
+    let folder = folder("png");
+    write(&folder, "m.json", SQUARE);
+    write(&folder, "g.toml", GRAPH);
+    curvature(
+        &folder,
+        "--mesh m.json --metric g.toml --degree 1 --plot p.PNG",
+    );
+    let png = fs::read(folder.join("p.PNG")).expect("a picture");
+    assert!(png.starts_with(b"\x89PNG\r\n") && png.len() > 5000);
+}
+
+/// Without the feature, before any file is read: there is no mesh.
+#[cfg(not(feature = "png"))]
+#[test]
+fn png_without_the_feature_is_refused_first() {
+    let folder = folder("no-png");
+    let output = regge(&folder, "--mesh none.msh --metric none.toml --plot p.png");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert!(
+        said.contains("p.png") && said.contains("--features png"),
+        "{said}"
+    );
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 0);
 }
 
 /// No more than a file of 512 bytes may be written, and the signal that says so is ignored: as on a full disk, the write

@@ -1,6 +1,6 @@
 //! The command line's tests as one program.
 //!
-//! `cargo test -p regge-verify --test all cli_numbers` runs one file.
+//! `cargo test -p regge-cli --test all cli_numbers` runs one file.
 
 mod cli;
 mod cli_action;

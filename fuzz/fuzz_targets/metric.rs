@@ -1,2 +1,2 @@
 #![no_main]
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| regge_verify::input::trial::metric(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| regge_readers::trial::metric(bytes));

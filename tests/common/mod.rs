@@ -3,6 +3,7 @@
 
 pub mod draw;
 
+use regge_curvature::functional::HessianEntry;
 use regge_curvature::mesh::{Mesh, SplitMix64};
 use regge_curvature::simplex::{multi_indices, subsets};
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
@@ -63,13 +64,10 @@ pub fn largest(values: &[f64]) -> f64 {
 }
 
 /// The matrix of these entries, by edges.
-pub fn dense<const N: usize>(
-    mesh: &Mesh<N>,
-    entries: &[(usize, usize, f64)],
-) -> nalgebra::DMatrix<f64> {
+pub fn dense<const N: usize>(mesh: &Mesh<N>, entries: &[HessianEntry]) -> nalgebra::DMatrix<f64> {
     let mut matrix = nalgebra::DMatrix::zeros(mesh.count(1), mesh.count(1));
-    for &(i, j, value) in entries {
-        matrix[(i, j)] += value;
+    for entry in entries {
+        matrix[(entry.row, entry.column)] += entry.value;
     }
     matrix
 }

@@ -1,11 +1,9 @@
-//! `regge verify`: the catalogue of claims.
+//! The arguments, and what is done with them.
 
-use super::output;
-use super::stop::{Out, Stop};
-use indicatif::{ProgressBar, ProgressStyle};
-use regge_cli::claims::records;
-use regge_cli::report::{Report, document, pages};
-use regge_cli::{Options, errata, run};
+use regge_terminal::{Bar, Out, Stop, output};
+use regge_verify::claims::records;
+use regge_verify::report::{Report, document, pages};
+use regge_verify::{Options, errata, run};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -15,15 +13,18 @@ A claim passes if it holds at every random instance and every forgery of it is c
 A run of everything also writes the errata: over an errata.md beside the folder of pages, as in docs, or else into it.
 
 Examples:
-  regge verify                              everything; pages in target/verification
-  regge verify --only P20 --dimension 3     one claim in one dimension
-  regge verify --seed 7 --json report.json  other random instances, the report as data
+  regge-verify                              everything; pages in target/verification
+  regge-verify --only P20 --dimension 3     one claim in one dimension
+  regge-verify --seed 7 --json report.json  other random instances, the report as data
 
-Exit codes: 0 all hold, 1 a claim fails or a forgery was not caught, 2 bad arguments.";
+Exit codes: 0 all hold, 1 a claim fails, a forgery was not caught or a file could not be written, 2 bad arguments.";
+
+/// How this program is run from the sources.
+const COMMAND: &str = "cargo run --release -p regge-verify --";
 
 /// Checks every statement of the paper, and that wrong versions of it are caught.
-#[derive(clap::Args)]
-#[command(after_help = DETAILS)]
+#[derive(clap::Parser)]
+#[command(name = "regge-verify", version, after_help = DETAILS)]
 pub struct Args {
     /// Only this claim; may be given more than once
     #[arg(long, value_name = "LABEL")]
@@ -69,7 +70,7 @@ impl Args {
             write_errata(&self.report)?;
         }
         if let Some(path) = &self.json {
-            output::write(path, &json(&report)?)?;
+            output::json(path, &report)?;
         }
         let mut out = Out::new();
         write!(out, "{}", report.table())?;
@@ -79,21 +80,12 @@ impl Args {
 }
 
 fn with_bar(options: &Options) -> Result<Report, Stop> {
-    let bar = ProgressBar::new(0);
-    if let Ok(style) =
-        ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos}/{len} {msg}")
-    {
-        bar.set_style(style.progress_chars("=> "));
-    }
+    let bar = Bar::new(0);
     let report = run(options, &|progress| {
-        bar.set_length(progress.total as u64);
-        bar.set_message(format!(
-            "{} (N = {})",
-            progress.entry.label, progress.entry.dimension
-        ));
-        bar.inc(1);
+        let (label, n) = (&progress.entry.label, progress.entry.dimension);
+        bar.advance(progress.total as u64, format!("{label} (N = {n})"));
     });
-    bar.finish_and_clear();
+    drop(bar);
     let mut report = report.map_err(|unknown| Stop::Usage(unknown.to_string()))?;
     report.revision = revision();
     Ok(report)
@@ -112,12 +104,6 @@ fn revision() -> String {
     text.map_or_else(|| "unknown".to_owned(), |t| t.trim().to_owned())
 }
 
-fn json(report: &Report) -> Result<String, Stop> {
-    let text = serde_json::to_string_pretty(report);
-    text.map(|t| t + "\n")
-        .map_err(|error| Stop::Failed(format!("the report as JSON: {error}")))
-}
-
 fn write_pages(report: &Report, folder: &Path) -> Result<(), Stop> {
     std::fs::create_dir_all(folder)
         .map_err(|error| Stop::Failed(format!("{}: {error}", folder.display())))?;
@@ -126,7 +112,7 @@ fn write_pages(report: &Report, folder: &Path) -> Result<(), Stop> {
         output::write(&folder.join(page.name), &page.content)?;
     }
     output::write(&folder.join("index.html"), &document(report, &records))?;
-    output::write(&folder.join("report.json"), &json(report)?)
+    output::json(&folder.join("report.json"), report)
 }
 
 /// The errata, with the numbers that show them.
@@ -152,8 +138,8 @@ fn verdict(report: &Report) -> Result<(), Stop> {
     for entry in &failures {
         text += &format!("{}\n", entry.describe_failure());
     }
+    let (label, n, seed) = (&first.label, first.dimension, report.seed);
     Err(Stop::Failed(format!(
-        "{text}replay the first: {}",
-        first.replay(report.seed)
+        "{text}replay the first: {COMMAND} --only {label} --dimension {n} --seed {seed}"
     )))
 }

@@ -1,3 +1,10 @@
-//! The command line `regge-verify`.
+//! The command line `regge-verify`: checks every claim, or those asked for, and writes the report.
 
-fn main() {}
+mod command;
+
+use command::Args;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    regge_terminal::main(Args::run)
+}

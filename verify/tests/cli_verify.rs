@@ -1,4 +1,4 @@
-//! `regge verify` as a program.
+//! `regge-verify` as a program.
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,6 @@ use std::process::{Command, Output};
 
 fn regge(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_regge-verify"))
-        .arg("verify")
         .args(arguments)
         .output()
         .expect("the program runs")

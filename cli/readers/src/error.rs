@@ -15,7 +15,7 @@ pub enum Place {
 }
 
 /// Why a file was refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     /// The file.
     pub file: PathBuf,
@@ -24,6 +24,8 @@ pub struct InputError {
     /// What is wrong.
     pub reason: String,
 }
+
+impl std::error::Error for InputError {}
 
 impl fmt::Display for InputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -75,14 +75,13 @@ fn parse<const N: usize>(bytes: &[u8], mesh: &Mesh<N>) -> Result<Vec<f64>, Fault
 
 /// The three fields of a line.
 fn entry(record: &csv::StringRecord, vertices: usize) -> Result<([u32; 2], f64), String> {
-    let [i, j, length] =
-        [record.get(0), record.get(1), record.get(2)].map(Option::unwrap_or_default);
-    if record.len() != 3 {
+    let fields: Vec<&str> = record.iter().collect();
+    let [i, j, length] = fields[..] else {
         return Err(format!(
             "{} fields where i,j,length are expected",
-            record.len()
+            fields.len()
         ));
-    }
+    };
     let vertex = |text: &str| match text.parse::<u32>() {
         Ok(v) if (v as usize) < vertices => Ok(v),
         Ok(v) => Err(format!(

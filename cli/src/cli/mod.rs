@@ -1,28 +1,16 @@
 //! The command line: arguments in, tables, files and exit codes out. Only here is anything printed.
 
-mod action;
-mod converge;
-mod curvature;
-mod einstein;
-mod files;
-mod given;
-mod job;
-mod journal;
-mod memory;
-mod notes;
-mod output;
-mod phases;
-mod picture;
-mod progress;
-mod reproduce;
-mod stop;
-mod table;
+mod from_files;
+mod study;
 mod values;
 
-use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Parser, Subcommand};
+use from_files::{action, curvature, einstein};
+use regge_curvature::scalar::Lanes;
+use regge_terminal::{EXIT_CODES, Stop};
+use std::ffi::OsString;
 use std::process::ExitCode;
-use stop::Stop;
+use study::{converge, reproduce};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -36,13 +24,13 @@ Examples:
   regge einstein --mesh m.msh --lengths l.csv --json e.json
   regge action --mesh m.msh --lengths l.csv --csv gradient.csv
 
-Exit codes: 0 done, 1 a computation or a file failed, 2 bad arguments.";
+What the paper states is checked by another program: cargo run --release -p regge-verify";
 
 /// Distributional scalar curvature of Regge metrics: recomputes the numbers of the paper
 /// "Finite element approximation of scalar curvature in arbitrary dimension" (Gawlik, Neunteufel)
 /// from nothing but the formula of a metric, and the same for other metrics.
 #[derive(Parser)]
-#[command(name = "regge", version, after_help = EXAMPLES, subcommand_required = true)]
+#[command(name = "regge", version, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"), subcommand_required = true)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -55,35 +43,23 @@ enum Command {
     Curvature(Box<curvature::Args>),
     Einstein(einstein::Args),
     Action(action::Args),
+    /// Says where the claims are checked now
+    #[command(hide = true, disable_help_flag = true)]
+    Verify {
+        /// What the other program is to be given
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
 }
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    match Cli::try_parse() {
-        Ok(cli) => finish(run(cli.command)),
-        Err(error) => match error.kind() {
-            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
-                // A reader that has gone away has seen enough.
-                let _ = error.print();
-                ExitCode::SUCCESS
-            }
-            ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => finish(Err(no_command())),
-            _ => finish(Err(Stop::Usage(values::one_line(&error.to_string())))),
-        },
-    }
-}
-
-fn no_command() -> Stop {
-    let cli = Cli::command();
-    let names: Vec<&str> = cli
-        .get_subcommands()
-        .map(|command| command.get_name())
-        .collect();
-    Stop::Usage(format!("a command is needed: {}", names.join(", ")))
+    regge_terminal::main(|cli: Cli| run(cli.command))
 }
 
 fn run(command: Command) -> Result<(), Stop> {
-    if let Some(line) = regge_curvature::scalar::Lanes::unused_width() {
+    let computes = !matches!(command, Command::Verify { .. });
+    if let Some(line) = Lanes::unused_width().filter(|_| computes) {
         eprintln!("note: {line}");
     }
     match command {
@@ -92,16 +68,15 @@ fn run(command: Command) -> Result<(), Stop> {
         Command::Curvature(args) => args.run(),
         Command::Einstein(args) => args.run(),
         Command::Action(args) => args.run(),
+        Command::Verify { arguments } => Err(elsewhere(&arguments)),
     }
 }
 
-fn finish(result: Result<(), Stop>) -> ExitCode {
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(stop) => {
-            // Nothing is left to be done where standard error cannot be written.
-            let _ = stop.report(&mut std::io::stderr());
-            ExitCode::from(stop.code())
-        }
+/// The catalogue of claims takes minutes to compile, which the other commands are not to wait for.
+fn elsewhere(arguments: &[OsString]) -> Stop {
+    let mut command = "cargo run --release -p regge-verify --".to_owned();
+    for argument in arguments {
+        command = command + " " + &argument.to_string_lossy();
     }
+    Stop::Input(format!("verify is a program of its own: {command}"))
 }

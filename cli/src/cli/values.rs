@@ -44,18 +44,6 @@ pub fn named<T: Named>() -> impl TypedValueParser<Value = T> {
         .try_map(|name| T::from_name(&name).ok_or_else(|| format!("no such {}", T::KIND)))
 }
 
-/// Clap's message without its advice on usage, in one line.
-pub fn one_line(message: &str) -> String {
-    let end = ["\n\nUsage:", "\n\nFor more"]
-        .iter()
-        .filter_map(|mark| message.find(mark))
-        .min();
-    let message = &message[..end.unwrap_or(message.len())];
-    let message = message.strip_prefix("error: ").unwrap_or(message);
-    let message = message.replace("\n\n  tip: ", "; ");
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -68,11 +56,5 @@ mod tests {
         for bad in ["", "x", "3..=2", "2..2", "-1", "0..=4000000000", "1...3"] {
             assert!(bad.parse::<Levels>().is_err(), "{bad}");
         }
-    }
-
-    #[test]
-    fn clap_messages_become_one_line() {
-        let message = "error: no such thing\n  [possible values: a, b]\n\nFor more information, try '--help'.\n";
-        assert_eq!(one_line(message), "no such thing [possible values: a, b]");
     }
 }

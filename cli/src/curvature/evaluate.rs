@@ -31,9 +31,9 @@ impl Task for Curvature<'_> {
         let sums = sums(given.g_h, &hats, request.quadrature, request.boundary)?;
         let mut report = self.head(given, &sums);
         report.vertices = vertex_sums(&hats, &sums.value, request.boundary);
-        if request.norm {
+        if let Some(name) = request.norm {
             (self.phase)("solving for the norm");
-            report.hm2 = Some(norm_error(given, request)?);
+            report.norms.insert(name, norm_error(given, request, name)?);
         }
         if request.details || request.fields {
             (self.phase)("projecting the curvature");

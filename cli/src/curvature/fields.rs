@@ -85,7 +85,7 @@ fn on_vertices(report: &CurvatureReport, vertices: usize) -> Vec<Field> {
             list[*vertex] = value;
         }
     }
-    let names = ["sum_element", "sum_face", "sum_hinge", "sum_total"];
+    let names = ["sum_cells", "sum_faces", "sum_hinges", "sum_total"];
     let mut fields: Vec<Field> = names.into_iter().zip(lists).collect();
     if let Some(r_h) = &report.r_h {
         // The coefficients of the vertices come first, and are the values there.

@@ -24,6 +24,7 @@ pub use report::{
 use evaluate::Curvature;
 use regge_readers::InputError;
 use regge_readers::mesh::MeshFile;
+use std::fmt;
 
 /// What is done on the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,8 +44,8 @@ pub struct Request {
     pub quadrature: Option<usize>,
     /// Sums for all test functions of this degree, beside the hat functions.
     pub test_degree: Option<usize>,
-    /// The error in H⁻² too?
-    pub norm: bool,
+    /// The error in this norm too, a name of `regge_curvature::norm::Kind`.
+    pub norm: Option<&'static str>,
     /// The boundary's part.
     pub boundary: Boundary,
     /// Hinges, faces, cells and R_h one by one?
@@ -54,14 +55,22 @@ pub struct Request {
 }
 
 /// Why there is no curvature.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 pub enum CurvatureError {
     /// A file or a request is to blame.
-    #[error("{0}")]
     Input(String),
     /// The computation failed.
-    #[error("{0}")]
     Failed(String),
+}
+
+impl std::error::Error for CurvatureError {}
+
+impl fmt::Display for CurvatureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(reason) | Self::Failed(reason) => f.write_str(reason),
+        }
+    }
 }
 
 impl From<InputError> for CurvatureError {

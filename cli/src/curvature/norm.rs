@@ -1,4 +1,4 @@
-//! ‖(Rω)_dist(g_h) − (Rω)(g)‖ in H⁻².
+//! ‖(Rω)_dist(g_h) − (Rω)(g)‖ in a norm of the library's table.
 
 use super::given::{Given, Origin};
 use super::report::{NormError, QuadratureUsed};
@@ -7,7 +7,7 @@ use super::smooth::{check_formula, stated_curvature};
 use super::{CurvatureError, Request, failed, input};
 use regge_curvature::Error;
 use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
-use regge_curvature::norm::HMinus2;
+use regge_curvature::norm::{DualNorm, Kind, Setting, metric_values};
 use regge_curvature::quadrature::Rule;
 use regge_curvature::scalar::Lanes;
 
@@ -15,19 +15,22 @@ use regge_curvature::scalar::Lanes;
 pub fn norm_error<const N: usize>(
     given: &Given<'_, N>,
     request: &Request,
+    name: &str,
 ) -> Result<NormError, CurvatureError> {
     let Some(origin) = given.origin else {
-        let reason = "the H^-2 error needs a smooth metric to compare with: give --metric";
+        let reason = "the error needs a smooth metric to compare with: give --metric";
         return Err(CurvatureError::Input(reason.into()));
     };
-    let degree = request.degree + 2;
-    let norm = HMinus2::new(given.g_h.space().mesh(), degree).map_err(failed)?;
+    let kind = Kind::<N>::named(name).expect("--norm takes names of the table");
+    let (degree, metric) = ((kind.degree)(request.degree), metric_values(origin.0));
+    let setting = Setting::new(given.g_h.space().mesh(), degree).with_metric(&metric);
+    let norm = (kind.new)(&setting).map_err(failed)?;
     let compute = |order| {
-        let load = load(given, origin, &norm, order);
+        let load = load(given, origin, &*norm, order);
         if load.iter().any(|f| !f.is_finite()) {
             check_formula(origin.0, &Rule::new(N, order))?;
         }
-        norm.norm(&load, None).map(|norm| norm.total())
+        norm.of(&load, None).map(|norm| norm.total)
     };
     let settled = match request.quadrature {
         Some(order) => compute(order).map(|error| Settled::given(error, order)),
@@ -43,6 +46,7 @@ pub fn norm_error<const N: usize>(
         error => failed(error),
     })?;
     Ok(NormError {
+        symbol: kind.symbol,
         error: settled.value,
         degree,
         quadrature: QuadratureUsed::of(&settled, NORM_SETTLES),
@@ -53,7 +57,7 @@ pub fn norm_error<const N: usize>(
 fn load<const N: usize>(
     given: &Given<'_, N>,
     (g, exact): Origin<'_, N>,
-    norm: &HMinus2<N>,
+    norm: &dyn DualNorm<N>,
     order: usize,
 ) -> Vec<f64> {
     let rules = Rules::new::<N>(order);

@@ -6,6 +6,7 @@ use super::settle::{SUMS_SETTLE, Settled};
 use regge_curvature::functional::Sums;
 use regge_readers::mesh::Group;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The curvature of a Regge metric on a mesh from a file.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -25,8 +26,9 @@ pub struct CurvatureReport {
     pub euler_characteristic: i64,
     /// Total curvature − 4πχ, for surfaces that are closed or have their boundary terms.
     pub gauss_bonnet_residual: Option<f64>,
-    /// The error in H⁻², if asked for.
-    pub hm2: Option<NormError>,
+    /// The errors in the norms that were asked for, by the norm's name: `hm2`.
+    #[serde(flatten)]
+    pub norms: BTreeMap<&'static str, NormError>,
     /// The physical groups of the mesh file.
     pub physical_groups: Vec<Group>,
     /// The hat functions of the interior vertices; of all of them where there are boundary terms.
@@ -122,12 +124,15 @@ pub struct Projected {
     pub value: f64,
 }
 
-/// ‖(Rω)_dist(g_h) − (Rω)(g)‖ in H⁻².
+/// ‖(Rω)_dist(g_h) − (Rω)(g)‖ in a dual norm.
 #[derive(Clone, Debug, Serialize)]
 pub struct NormError {
+    /// How the norm is written in plain text.
+    #[serde(skip)]
+    pub symbol: &'static str,
     /// The error.
     pub error: f64,
-    /// The degree of the auxiliary plate's deflection: r + 2.
+    /// The degree of the norm's test functions: r + 2 for H⁻².
     pub degree: usize,
     /// The quadrature of the functionals.
     pub quadrature: QuadratureUsed,

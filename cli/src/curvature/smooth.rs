@@ -45,11 +45,10 @@ fn place<M: SmoothTensor<N>, const N: usize>(
 ) -> [f64; N] {
     let mut x = [0.0; N];
     for (i, l) in lambda.iter().enumerate() {
-        // A formula lives on meshes with coordinates only.
-        if let Some(corner) = g.mesh().corner(cell, i) {
-            for a in 0..N {
-                x[a] += l * corner[a];
-            }
+        let corner = g.mesh().corner(cell, i);
+        let corner = corner.expect("`Smooth::new` refuses meshes without coordinates");
+        for a in 0..N {
+            x[a] += l * corner[a];
         }
     }
     x
@@ -136,6 +135,10 @@ fn check_at<M: SmoothTensor<N>, const N: usize>(
             Some(Error::Cell { cell, reason })
         })
     };
-    let cells = (0..g.mesh().cell_count()).into_par_iter();
-    cells.find_map_first(on_cell).map_or(Ok(()), Err)
+    first_of(g.mesh().cell_count(), &on_cell).map_or(Ok(()), Err)
+}
+
+/// The first error among so many; not generic, so that the threads' machinery is compiled once.
+fn first_of(count: usize, error_at: &(dyn Fn(usize) -> Option<Error> + Sync)) -> Option<Error> {
+    (0..count).into_par_iter().find_map_first(error_at)
 }

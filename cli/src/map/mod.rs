@@ -4,6 +4,7 @@ mod panel;
 mod range;
 
 use crate::curvature::Fields;
+use crate::svg::escaped;
 use panel::{Plane, Shown};
 use std::fmt::Write;
 
@@ -82,15 +83,6 @@ pub fn png(svg: &str) -> Result<Vec<u8>, String> {
     pixels.encode_png().map_err(|error| error.to_string())
 }
 
-/// Refused: this build has no rasteriser.
-///
-/// # Errors
-/// Always, with the way out.
-#[cfg(not(feature = "png"))]
-pub fn png(_svg: &str) -> Result<Vec<u8>, String> {
-    Err("this build draws .svg only: build with --features png for .png".to_owned())
-}
-
 /// The fields that are worth a panel.
 fn panels(fields: &Fields) -> Vec<(&'static str, Shown<'_>)> {
     let mut panels = Vec::new();
@@ -108,10 +100,4 @@ fn panels(fields: &Fields) -> Vec<(&'static str, Shown<'_>)> {
         panels.push(("Θ, angle defect at inner vertices", Shown::Vertices(theta)));
     }
     panels
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
 }

@@ -36,12 +36,10 @@ mod functional;
 mod numerical;
 mod variation;
 
+pub use crate::harness::Catalogue;
 pub(crate) use einstein::second_variation;
 
-use crate::harness::{Check, Record};
-
-/// The claims of the catalogue, in its order.
-pub type Catalogue = Vec<Check>;
+use crate::harness::Record;
 
 /// All of them.
 pub fn catalogue() -> Catalogue {

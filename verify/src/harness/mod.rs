@@ -20,7 +20,7 @@ mod tally;
 mod weighted;
 
 pub use case::{Draw, Key, Setting, Shape, grid};
-pub use check::{Budget, Cases, Check, Kind, OnMeshes, OnNumbers, has};
+pub use check::{Budget, Cases, Catalogue, Check, Kind, OnMeshes, OnNumbers, has};
 pub use entry::{Entry, Failure, Forgery, Vacuous, Verdict};
 pub use equation::{Equation, Forged, Relation, Term};
 pub use judgement::{Judgement, Method};

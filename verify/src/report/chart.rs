@@ -1,6 +1,7 @@
 //! One picture for each claim: how far its residual lies below the tolerance, and its forgeries above it.
 
-use super::{Entry, Row};
+use super::summary::Row;
+use crate::harness::Entry;
 use std::fmt::Write;
 
 const WIDTH: f64 = 720.0;

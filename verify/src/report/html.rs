@@ -1,11 +1,11 @@
 //! The whole report as one HTML file that needs no network: formulas in MathML, pictures in SVG.
 
 use super::chart::strips;
+use super::data::Report;
 use super::formula::{escape, mathml};
 use super::page::{SHARED, allowed, names, residual};
-use super::summary::margin;
-use super::{Entry, Report, Row, Verdict};
-use crate::harness::Record;
+use super::summary::{Row, margin};
+use crate::harness::{Entry, Record, Verdict};
 use std::fmt::Write;
 
 const STYLE: &str = "\

@@ -1,8 +1,8 @@
 //! One Markdown page for each claim, and an index.
 
+use super::data::Report;
 use super::summary::{Row, margin};
-use super::{Entry, Report, Verdict};
-use crate::harness::Record;
+use crate::harness::{Entry, Record, Verdict};
 use std::fmt::Write;
 
 /// A file of the report.

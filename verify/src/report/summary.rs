@@ -1,6 +1,7 @@
 //! The report by claims, as a table in plain text and as lines for a terminal.
 
-use super::{Entry, Forgery, Report, Verdict};
+use super::data::Report;
+use crate::harness::{Entry, Forgery, Verdict};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

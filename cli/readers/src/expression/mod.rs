@@ -26,13 +26,15 @@ pub struct Expression {
 }
 
 /// Why a text is no formula.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ExpressionError {
     /// Where, in characters from 1.
     pub column: usize,
     /// Why.
     pub reason: String,
 }
+
+impl std::error::Error for ExpressionError {}
 
 impl fmt::Display for ExpressionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

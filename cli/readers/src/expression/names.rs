@@ -41,7 +41,7 @@ impl Names {
         let known = self.values().map(|value| value.0).chain(functions);
         let short: String = name.chars().take(40).collect();
         let nearest = known.min_by_key(|known| distance(known, &short));
-        let nearest = nearest.unwrap_or_default();
+        let nearest = nearest.expect("there are functions");
         format!(
             "unknown name '{short}': the nearest known one in dimension {} is '{nearest}'",
             self.dimension

@@ -118,9 +118,11 @@ impl<'a> Cursor<'a> {
     pub fn quoted(&mut self) -> Result<String, Fault> {
         self.skip_space();
         let rest = &self.bytes[self.at..];
-        let line = rest.split(|b| *b == b'\n').next().unwrap_or_default();
-        let inside = line.strip_prefix(b"\"").unwrap_or_default();
-        let Some(end) = inside.iter().position(|b| *b == b'"') else {
+        let line = rest.split(|b| *b == b'\n').next();
+        let line = line.expect("`split` gives one part at the least");
+        let inside = line.strip_prefix(b"\"");
+        let closed = inside.and_then(|text| Some((text, text.iter().position(|b| *b == b'"')?)));
+        let Some((inside, end)) = closed else {
             return Err(self.fault("a name in double quotes is expected"));
         };
         self.at += end + 2;

@@ -104,7 +104,7 @@ impl Source<'_> {
             let name: &str = key.get_ref();
             if !KEYS.contains(&name) {
                 let nearest = KEYS.iter().min_by_key(|known| distance(known, name));
-                let nearest = nearest.copied().unwrap_or_default();
+                let nearest = nearest.expect("there are keys");
                 let reason = format!("unknown key '{name}': the nearest known one is '{nearest}'");
                 return Err(self.fault(key.span().start, reason));
             }
@@ -144,7 +144,7 @@ impl Source<'_> {
         match (&raw.embedding, &raw.g) {
             (Some(map), _) => self.embedding(map, n),
             (_, Some(rows)) => self.components(rows, n),
-            _ => Err(Fault::new(Place::Whole, "no metric")),
+            _ => unreachable!("one of the four keys is there"),
         }
     }
 

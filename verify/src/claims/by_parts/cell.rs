@@ -50,7 +50,7 @@ impl OnMesh for T03 {
     }
 }
 
-/// Exactly.
+/// The same two equations between integrals that are computed without error.
 impl ByParts for T03 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 

@@ -4,7 +4,7 @@ mod cell;
 mod lemma;
 mod stokes;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::{mesh, polynomial};
 
 /// Adds those that are integrated exactly.

@@ -148,7 +148,7 @@ impl OnMesh for T01 {
     }
 }
 
-/// Exactly, for α = vσ(n,·).
+/// The same equation between integrals that are computed without error, for α = vσ(n,·).
 impl ByParts for T01 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 

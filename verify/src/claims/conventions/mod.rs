@@ -6,7 +6,7 @@ mod second_form;
 mod surface;
 mod traces;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::point;
 
 /// Adds those that hold at a point, in dimension N.

@@ -10,7 +10,7 @@ mod trace;
 
 pub(crate) use hessian::second_variation;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::{mesh, point};
 
 /// Adds those that hold at a point, in dimension N.

@@ -55,7 +55,7 @@ impl OnMesh for M07 {
     }
 }
 
-/// At a point G = 0, II‾ = 0 and σ|_S = 0.
+/// What is integrated on a mesh vanishes at every point: G, II‾ and σ|_S.
 impl Pointwise for M07 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[2];

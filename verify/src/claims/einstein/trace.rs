@@ -117,7 +117,7 @@ impl OnMesh for M19 {
     }
 }
 
-/// At a point it is M11.
+/// What is integrated on a mesh satisfies the equations of M11 at every point.
 impl Pointwise for M19 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[2, 3, 4];

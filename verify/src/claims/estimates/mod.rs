@@ -4,7 +4,7 @@ mod interpolants;
 mod normals;
 mod simplices;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::{mesh, point};
 
 /// Adds those that hold at a point, in dimension N.

@@ -9,7 +9,7 @@ mod normal;
 mod scalar_curvature;
 mod volume;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::point;
 
 /// Adds those that hold at a point, in dimension N.

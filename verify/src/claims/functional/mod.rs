@@ -8,7 +8,7 @@ mod single_valued;
 mod smooth;
 mod traces;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::{mesh, point};
 
 /// Adds those that hold at a point, in dimension N.

@@ -242,7 +242,7 @@ fn measures<const N: usize>(
     ]
 }
 
-/// At a point it is D13.
+/// What two cells see at a point of their face satisfies the equations of D13.
 impl Pointwise for M20 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[2, 3, 4];

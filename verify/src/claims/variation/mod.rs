@@ -5,7 +5,7 @@ mod segment;
 mod simplex;
 mod theorem;
 
-use super::Catalogue;
+use crate::harness::Catalogue;
 use crate::stage::mesh;
 
 /// Adds those on meshes, in dimension N.

@@ -1,8 +1,10 @@
 //! A claim in one dimension by one method, as data, and how it is run.
 
+mod budget;
 mod meshes;
 mod numbers;
 
+pub use budget::{Budget, Cases, has};
 pub use meshes::OnMeshes;
 pub use numbers::OnNumbers;
 
@@ -12,65 +14,6 @@ use super::judgement::Method;
 use super::record::{Excuses, Record};
 use super::scalar::Ground;
 use crate::exact::Fp;
-use regge_curvature::formulas::{Formulas, PAPER};
-
-/// How much work one entry may do, and where its randomness comes from.
-#[derive(Clone, Copy, Debug)]
-pub struct Budget {
-    /// The run's seed.
-    pub seed: u64,
-    /// A quicker draw: fewer instances, fewer and smaller meshes, lower orders.
-    pub quick: bool,
-    /// By which formulas the library computes.
-    pub formulas: Formulas,
-}
-
-impl Budget {
-    /// The full catalogue.
-    pub fn full(seed: u64) -> Self {
-        Self {
-            seed,
-            quick: false,
-            formulas: PAPER,
-        }
-    }
-
-    /// What `cargo test` runs.
-    pub fn quick(seed: u64) -> Self {
-        Self {
-            seed,
-            quick: true,
-            formulas: PAPER,
-        }
-    }
-}
-
-/// How many random instances a check has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Cases {
-    /// In a full run.
-    pub full: usize,
-    /// In a quick one.
-    pub quick: usize,
-}
-
-impl Cases {
-    fn of(self, budget: &Budget) -> usize {
-        if budget.quick { self.quick } else { self.full }
-    }
-}
-
-/// Is this one of the dimensions?
-pub const fn has(dimensions: &[usize], dimension: usize) -> bool {
-    let mut i = 0;
-    while i < dimensions.len() {
-        if dimensions[i] == dimension {
-            return true;
-        }
-        i += 1;
-    }
-    false
-}
 
 /// One claim in one dimension by one method: one entry of the report.
 #[derive(Clone, Copy, Debug)]
@@ -86,6 +29,9 @@ pub struct Check {
     /// What is drawn, and what is computed from it.
     pub kind: Kind,
 }
+
+/// The claims that are to be checked, in their order.
+pub type Catalogue = Vec<Check>;
 
 /// What a check draws: one kind for each scalar in which residuals are taken, and one for meshes. The harness is
 /// compiled once for each, however many claims there are.

@@ -1,6 +1,6 @@
 //! Checks whose cases are lists of random numbers of one length: claims that hold at a point, and exact integrals.
 
-use super::Cases;
+use super::budget::Cases;
 use crate::harness::case::Key;
 use crate::harness::equation::Equation;
 use crate::harness::judgement::Judgement;

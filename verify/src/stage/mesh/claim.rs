@@ -1,7 +1,8 @@
 //! Claims about fields on a mesh.
 
 use crate::harness::{
-    Check, Draw, Equation, Excuses, Judgement, Kind, Method, OnMeshes, Record, Setting, has,
+    Catalogue, Check, Draw, Equation, Excuses, Judgement, Kind, Method, OnMeshes, Record, Setting,
+    has,
 };
 
 /// A statement about fields on a mesh.
@@ -25,8 +26,10 @@ pub trait OnMesh: 'static {
 }
 
 /// Adds a claim in dimension N, if it is meaningful there. The condition is a constant, so that nothing is compiled for
-/// dimensions that a claim does not have.
-pub fn add<C: OnMesh, const N: usize>(all: &mut Vec<Check>) {
+/// dimensions that a claim does not have. There is one caller for each claim and dimension: inlined, it is no function of
+/// its own.
+#[inline(always)]
+pub fn add<C: OnMesh, const N: usize>(all: &mut Catalogue) {
     if const { has(C::DIMENSIONS, N) } {
         all.push(Check {
             record: &C::RECORD,

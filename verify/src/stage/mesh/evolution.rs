@@ -8,7 +8,7 @@ use super::cases::QUADRATURE;
 use super::claim::{OnMesh, add};
 use super::pair::{Pair, spaces};
 use super::sums::{Three, rates, values};
-use crate::harness::{Check, Draw, Equation, Judgement, Method, Record, Setting, Shape};
+use crate::harness::{Catalogue, Draw, Equation, Judgement, Method, Record, Setting, Shape};
 use crate::stage::fields::{Regge, combination, metric, moving, test_function};
 use num_dual::Dual64;
 use regge_curvature::functional::{Sums, distributional_curvature};
@@ -69,7 +69,8 @@ pub trait Evolution: 'static {
 }
 
 /// Adds a statement in dimension N by both methods.
-pub fn add_evolution<C: Evolution, const N: usize>(all: &mut Vec<Check>) {
+#[inline(always)]
+pub fn add_evolution<C: Evolution, const N: usize>(all: &mut Catalogue) {
     add::<ByAd<C>, N>(all);
     add::<ByPath<C>, N>(all);
 }

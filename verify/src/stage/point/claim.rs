@@ -3,9 +3,11 @@
 use super::instance::Instance;
 use crate::exact::Fp;
 use crate::harness::{
-    Cases, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record, Timed, has,
+    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record, Timed,
+    has,
 };
 use num_dual::Dual64;
+use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
 
 /// The scalars that a pointwise claim runs over.
@@ -71,8 +73,10 @@ fn over_all(cases: Cases, dimensions: &[usize]) -> Cases {
 
 /// Adds a claim in dimension N by both methods, as far as it is meaningful there.
 ///
-/// The conditions are constants, so that nothing is compiled for dimensions and scalars that a claim does not have.
-pub fn add<C: Pointwise, const N: usize>(all: &mut Vec<Check>) {
+/// The conditions are constants, so that nothing is compiled for dimensions and scalars that a claim does not have. There
+/// is one caller for each claim and dimension: inlined, it is no function of its own.
+#[inline(always)]
+pub fn add<C: Pointwise, const N: usize>(all: &mut Catalogue) {
     if const { has(C::DIMENSIONS, N) && !matches!(C::OVER, Over::Integers) } {
         let method = match C::OVER {
             Over::Oracle => Method::Oracle,
@@ -96,6 +100,7 @@ pub fn add<C: Pointwise, const N: usize>(all: &mut Vec<Check>) {
     }
 }
 
+#[inline(always)]
 fn of_claim<C: Pointwise>(dimension: usize, method: Method, kind: Kind) -> Check {
     Check {
         record: &C::RECORD,
@@ -106,6 +111,7 @@ fn of_claim<C: Pointwise>(dimension: usize, method: Method, kind: Kind) -> Check
     }
 }
 
+#[inline(always)]
 fn on_numbers<C: Pointwise, S: Timed, const N: usize>(
     cases: Cases,
     judgement: Judgement,
@@ -114,9 +120,15 @@ fn on_numbers<C: Pointwise, S: Timed, const N: usize>(
         judgement,
         cases: over_all(cases, C::DIMENSIONS),
         count: Instance::<S, N>::count(),
-        equations: |numbers, formulas| {
-            C::equations::<S, N>(&Instance::from_numbers(numbers, formulas))
-        },
+        equations: equations::<C, S, N>,
         shrinks: true,
     }
+}
+
+/// What the harness calls: all that is compiled for each claim, scalar and dimension.
+fn equations<C: Pointwise, S: Timed, const N: usize>(
+    numbers: &[S::Base],
+    formulas: &Formulas,
+) -> Vec<Equation<S::Base>> {
+    C::equations::<S, N>(&Instance::from_numbers(numbers, formulas))
 }

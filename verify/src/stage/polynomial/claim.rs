@@ -2,7 +2,9 @@
 
 use super::fields::Fields;
 use crate::exact::Fp;
-use crate::harness::{Cases, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record};
+use crate::harness::{
+    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record,
+};
 use regge_curvature::formulas::Formulas;
 
 /// An identity between integrals of polynomials.
@@ -15,7 +17,7 @@ pub trait ByParts: 'static {
 }
 
 /// Adds an identity in dimension N.
-pub fn add<C: ByParts, const N: usize>(all: &mut Vec<Check>) {
+pub fn add<C: ByParts, const N: usize>(all: &mut Catalogue) {
     all.push(Check {
         record: &C::RECORD,
         dimension: N,

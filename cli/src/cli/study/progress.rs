@@ -1,13 +1,15 @@
-//! The progress bar on standard error.
+//! How far a study is.
 
-use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use regge_curvature::norm::Target;
 use regge_study::{Case, Event, Phase, Study};
+use regge_terminal::{Bar, in_words};
 use std::time::{Duration, Instant};
 
-/// A bar that is as long as a study is work; it hides by itself where standard error is no terminal.
+/// A bar that is as long as a study is work.
 pub struct Progress {
-    bar: ProgressBar,
+    bar: Bar,
+    /// That of all cases.
+    work: u64,
     start: Instant,
     /// The work of the cases that are done, and of those that an earlier run did.
     done: u64,
@@ -31,15 +33,10 @@ fn share(phase: Phase) -> f64 {
 impl Progress {
     /// For a study.
     pub fn new(study: &Study) -> Self {
-        let work = study.cases.iter().map(|&case| study.work(case)).sum();
-        let bar = ProgressBar::new(work);
-        let template = "{elapsed_precise} [{bar:30}] {percent:>3}% {msg}";
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style.progress_chars("=> "));
-        }
-        bar.enable_steady_tick(Duration::from_millis(200));
+        let work: u64 = study.cases.iter().map(|&case| study.work(case)).sum();
         Self {
-            bar,
+            bar: Bar::new(work),
+            work,
             start: Instant::now(),
             done: 0,
             earlier: 0,
@@ -69,7 +66,7 @@ impl Progress {
                 if self.phase.take().is_none() {
                     self.earlier += study.work(case);
                 }
-                self.bar.set_position(self.done);
+                self.bar.place(self.done, "");
             }
             Event::Row(_) => {}
         }
@@ -77,36 +74,25 @@ impl Progress {
 
     fn put(&self, study: &Study, case: Case, share: f64, what: String) {
         let position = self.done + (share * study.work(case) as f64) as u64;
-        self.bar.set_position(position);
         let left = match (position - self.earlier) as f64 {
             // Nothing to judge by yet.
             0.0 => String::new(),
             here => {
-                let rest = self
-                    .bar
-                    .length()
-                    .unwrap_or(position)
-                    .saturating_sub(position);
-                let seconds = self.start.elapsed().as_secs_f64() * rest as f64 / here;
+                let rest = (self.work - position) as f64;
+                let seconds = self.start.elapsed().as_secs_f64() * rest / here;
                 format!(
-                    "; about {:#} left",
-                    HumanDuration(Duration::from_secs_f64(seconds))
+                    "; about {} left",
+                    in_words(Duration::from_secs_f64(seconds))
                 )
             }
         };
         let Case { degree, level } = case;
         self.bar
-            .set_message(format!("r = {degree}, k = {level}: {what}{left}"));
+            .place(position, format!("r = {degree}, k = {level}: {what}{left}"));
     }
 
     /// Prints with the bar out of the way.
     pub fn aside<T>(&self, print: impl FnOnce() -> T) -> T {
-        self.bar.suspend(print)
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        self.bar.aside(print)
     }
 }

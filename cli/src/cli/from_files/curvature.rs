@@ -1,14 +1,18 @@
 //! `regge curvature`: from a mesh file to its curvature.
 
 use super::files::{self, Files};
-use super::given::{DETAILS, Given};
-use super::output;
-use super::phases::Phases;
-use super::stop::{Out, Stop};
+use super::given::{DETAILS, Given, stopped};
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use regge_cli::curvature::{Boundary, CurvatureReport, Fields, Request, curvature};
 use regge_cli::{map, vtu};
+use regge_curvature::norm::Kind;
+use regge_terminal::{Bar, Out, Stop, output};
+use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+/// About how many phases the command has.
+const PHASES: u64 = 8;
 
 const BOUNDARY: &str = "\
 The sums are those of the paper: interior faces and hinges only, test functions that vanish on the boundary. With
@@ -25,8 +29,8 @@ pub struct Args {
     #[arg(long, value_name = "Q", value_parser = clap::value_parser!(u64).range(1..=8))]
     test_degree: Option<u64>,
     /// Also the error against the smooth metric in this norm
-    #[arg(long, conflicts_with = "lengths")]
-    norm: Option<Norm>,
+    #[arg(long, conflicts_with = "lengths", value_parser = norms())]
+    norm: Option<String>,
     /// What is done on the boundary
     #[arg(long, default_value = "none")]
     boundary: AtBoundary,
@@ -35,16 +39,17 @@ pub struct Args {
     /// Write mesh and fields to this file, for ParaView
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
-    /// Draw the curvature of a plane mesh, as .svg or .png
+    /// Draw the curvature of a plane mesh, as .svg, or as .png in a build with --features png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
 
-/// Norms that can be asked for.
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Norm {
-    /// H^-2 by Hellan, Herrmann and Johnson, N = 2 and 3
-    Hm2,
+/// Norms that can be asked for: those of the library's table, which is the same for every dimension.
+fn norms() -> PossibleValuesParser {
+    let kinds = Kind::<2>::ALL.iter();
+    kinds
+        .map(|kind| PossibleValue::new(kind.name).help(kind.about))
+        .into()
 }
 
 /// What is done on the boundary.
@@ -60,14 +65,13 @@ impl Args {
     /// Runs the command.
     pub fn run(self) -> Result<(), Stop> {
         self.check()?;
-        let phases = Phases::new(8);
-        phases.begin("reading the mesh");
+        let bar = Bar::new(PHASES);
+        let begin = |what: &'static str| bar.advance(PHASES, what);
+        begin("reading the mesh");
         let mesh = self.given.mesh()?;
-        if self.norm.is_some() && mesh.dimension > 3 {
-            let reason = format!(
-                "--norm hm2 is for dimensions 2 and 3, not {}",
-                mesh.dimension
-            );
+        if let Some(name) = self.norm.as_ref().filter(|_| mesh.dimension > 3) {
+            let n = mesh.dimension;
+            let reason = format!("--norm {name} is for dimensions 2 and 3, not {n}");
             return Err(Stop::Usage(reason));
         }
         if self.plot.is_some() && mesh.dimension != 2 {
@@ -75,10 +79,10 @@ impl Args {
             return Err(Stop::Usage(reason));
         }
         let source = self.given.source()?;
-        let report = curvature(&mesh, &source, &self.request(), &|what| phases.begin(what))?;
-        phases.begin("writing");
+        let report = curvature(&mesh, &source, &self.request(), &begin).map_err(stopped)?;
+        begin("writing");
         self.write(&report)?;
-        drop(phases);
+        drop(bar);
         self.show(&report)
     }
 
@@ -100,7 +104,10 @@ impl Args {
             degree: self.given.degree,
             quadrature: self.given.quadrature(),
             test_degree: self.test_degree.map(|degree| degree as usize),
-            norm: self.norm.is_some(),
+            norm: self.norm.as_deref().map(|name| {
+                let kind = Kind::<2>::named(name);
+                kind.expect("the parser knows the table").name
+            }),
             boundary: match self.boundary {
                 AtBoundary::None => Boundary::None,
                 AtBoundary::GaussBonnet => Boundary::GaussBonnet,
@@ -142,10 +149,10 @@ impl Args {
         if let Some(residual) = report.gauss_bonnet_residual {
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
         }
-        if let Some(norm) = &report.hm2 {
+        for norm in report.norms.values() {
             let unsettled = norm.quadrature.is_unsettled();
             let state = if unsettled { ", NOT settled" } else { "" };
-            writeln!(out, "error in H^-2 {:.12e}{state}", norm.error)?;
+            writeln!(out, "error in {} {:.12e}{state}", norm.symbol, norm.error)?;
         }
         files::show_written(&mut out, self.paths())
     }
@@ -155,7 +162,7 @@ impl Args {
 fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
     let more = report.boundary != "none";
     let name = if more { ",boundary" } else { "" };
-    writeln!(out, "vertex,element,face,hinge{name},total")?;
+    writeln!(out, "vertex,cells,faces,hinges{name},total")?;
     for v in &report.vertices {
         write!(out, "{},", v.vertex)?;
         files::parts(out, &v.sums)?;
@@ -166,15 +173,22 @@ fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
 /// How a picture is written.
 enum Picture {
     Svg,
+    #[cfg(feature = "png")]
     Png,
 }
 
 impl Picture {
     fn of(path: &Path) -> Result<Self, Stop> {
-        let end = path.extension().unwrap_or_default().to_ascii_lowercase();
-        match end.to_str() {
+        let end = path.extension().map(OsStr::to_ascii_lowercase);
+        match end.as_deref().and_then(OsStr::to_str) {
             Some("svg") => Ok(Self::Svg),
+            #[cfg(feature = "png")]
             Some("png") => Ok(Self::Png),
+            #[cfg(not(feature = "png"))]
+            Some("png") => Err(Stop::Input(format!(
+                "{}: this build draws .svg only; cargo build --release -p regge-cli --features png draws .png too",
+                path.display()
+            ))),
             _ => Err(Stop::Usage(format!(
                 "{}: a picture ends in .svg or .png",
                 path.display()
@@ -192,6 +206,7 @@ fn draw(path: &Path, report: &CurvatureReport, fields: &Fields) -> Result<(), St
     let svg = map::svg(fields, &title).map_err(Stop::Input)?;
     let bytes = match Picture::of(path)? {
         Picture::Svg => svg.into_bytes(),
+        #[cfg(feature = "png")]
         Picture::Png => map::png(&svg).map_err(Stop::Failed)?,
     };
     output::write_by(path, |out| out.write_all(&bytes))

@@ -1,11 +1,13 @@
 //! `regge einstein`: the distributional Einstein tensor on a mesh from a file.
 
 use super::files::{self, Files};
-use super::given::{DETAILS, Given};
-use super::phases::Phases;
-use super::stop::{Out, Stop};
+use super::given::{DETAILS, Given, stopped};
 use regge_cli::curvature::{EinsteinReport, einstein};
+use regge_terminal::{Bar, Out, Stop};
 use std::io::{self, Write};
+
+/// About how many phases the command has.
+const PHASES: u64 = 5;
 
 /// The distributional Einstein tensor against Regge functions that vanish on the boundary, N >= 3.
 #[derive(clap::Args)]
@@ -22,13 +24,14 @@ impl Args {
     pub fn run(self) -> Result<(), Stop> {
         self.given.check()?;
         files::check(self.files.list())?;
-        let phases = Phases::new(5);
-        phases.begin("reading the mesh");
+        let bar = Bar::new(PHASES);
+        let begin = |what: &'static str| bar.advance(PHASES, what);
+        begin("reading the mesh");
         let (mesh, source) = (self.given.mesh()?, self.given.source()?);
         let (degree, order) = (self.given.degree, self.given.quadrature());
-        let report = einstein(&mesh, &source, degree, order, &|what| phases.begin(what))?;
+        let report = einstein(&mesh, &source, degree, order, &begin).map_err(stopped)?;
         self.files.write(&report, table)?;
-        drop(phases);
+        drop(bar);
         self.show(&report)
     }
 
@@ -47,7 +50,7 @@ impl Args {
 }
 
 fn table(report: &EinsteinReport, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "simplex,index,element,face,hinge,total")?;
+    writeln!(out, "simplex,index,cells,faces,hinges,total")?;
     for f in &report.functions {
         let simplex: Vec<String> = f.simplex.iter().map(u32::to_string).collect();
         write!(out, "{},{},", simplex.join("-"), f.index)?;

@@ -1,8 +1,7 @@
 //! The files of a report, and what its first lines on the terminal say: shared by the commands for meshes from files.
 
-use super::output;
-use super::stop::{Out, Stop};
 use regge_cli::curvature::{About, Parts};
+use regge_terminal::{Out, Stop, output};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;

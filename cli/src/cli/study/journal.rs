@@ -1,7 +1,7 @@
 //! Rows on disk as soon as they are there: a file of JSON lines, the first of which says of what make the rows are.
 
-use super::stop::Stop;
 use regge_study::{Make, Row, Study};
+use regge_terminal::Stop;
 use serde::Serialize;
 use std::fs::{File, OpenOptions};
 use std::io::{Read, Seek, SeekFrom, Write};

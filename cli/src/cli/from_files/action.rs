@@ -1,11 +1,13 @@
 //! `regge action`: Regge's action on a mesh from a file, and its gradient.
 
 use super::files::{self, Files};
-use super::given::{DETAILS, Given};
-use super::phases::Phases;
-use super::stop::{Out, Stop};
+use super::given::{DETAILS, Given, stopped};
 use regge_cli::curvature::{ActionReport, action};
+use regge_terminal::{Bar, Out, Stop};
 use std::io::{self, Write};
+
+/// About how many phases the command has.
+const PHASES: u64 = 6;
 
 /// Regge's action: half the curvature's total and the boundary's angles; for degree 0 with its gradient.
 #[derive(clap::Args)]
@@ -26,13 +28,14 @@ impl Args {
             return Err(Stop::Usage(reason.into()));
         }
         files::check(self.files.list())?;
-        let phases = Phases::new(6);
-        phases.begin("reading the mesh");
+        let bar = Bar::new(PHASES);
+        let begin = |what: &'static str| bar.advance(PHASES, what);
+        begin("reading the mesh");
         let (mesh, source) = (self.given.mesh()?, self.given.source()?);
         let (degree, order) = (self.given.degree, self.given.quadrature());
-        let report = action(&mesh, &source, degree, order, &|what| phases.begin(what))?;
+        let report = action(&mesh, &source, degree, order, &begin).map_err(stopped)?;
         self.files.write(&report, table)?;
-        drop(phases);
+        drop(bar);
         self.show(&report)
     }
 

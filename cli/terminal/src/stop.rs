@@ -2,14 +2,19 @@
 
 use std::io::{self, ErrorKind, Write};
 
+/// What [`Stop::code`] gives, for the help of a program.
+pub const EXIT_CODES: &str = "\
+Exit codes: 0 done, 1 a computation failed or a file could not be written, 2 the arguments or a file that was given
+make no sense.";
+
 /// Why the program stops.
 #[derive(Debug)]
 pub enum Stop {
     /// The arguments make no sense.
     Usage(String),
-    /// A file that was given makes no sense.
+    /// A file that was given makes no sense, or more is asked for than the machine or this build can do.
     Input(String),
-    /// A computation or a file failed.
+    /// A computation failed, or a file could not be written.
     Failed(String),
 }
 
@@ -22,11 +27,14 @@ impl Stop {
         }
     }
 
-    /// The one line.
-    pub fn report(&self, to: &mut dyn Write) -> io::Result<()> {
+    /// Writes the one line, which begins with the program's name.
+    ///
+    /// # Errors
+    /// Those of `to`.
+    pub fn report(&self, program: &str, to: &mut dyn Write) -> io::Result<()> {
         match self {
-            Self::Usage(reason) => writeln!(to, "regge: {reason} (see --help)"),
-            Self::Input(reason) | Self::Failed(reason) => writeln!(to, "regge: {reason}"),
+            Self::Usage(reason) => writeln!(to, "{program}: {reason} (see --help)"),
+            Self::Input(reason) | Self::Failed(reason) => writeln!(to, "{program}: {reason}"),
         }
     }
 }
@@ -41,10 +49,16 @@ impl From<io::Error> for Stop {
 /// Standard output, or nowhere once nobody reads it: there may still be files to write.
 pub struct Out(io::Stdout);
 
+impl Default for Out {
+    fn default() -> Self {
+        Self(io::stdout())
+    }
+}
+
 impl Out {
     /// Standard output.
     pub fn new() -> Self {
-        Self(io::stdout())
+        Self::default()
     }
 }
 

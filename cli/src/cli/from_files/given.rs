@@ -1,13 +1,13 @@
 //! The arguments that say which Regge metric: shared by the commands for meshes from files.
 
-use super::stop::Stop;
-use super::values::named;
+use super::super::values::named;
 use regge_cli::curvature::{CurvatureError, Source};
 use regge_curvature::interpolate::Interpolant;
 use regge_readers::InputError;
 use regge_readers::mesh::{MeshFile, read_mesh};
 use regge_readers::metric::read_metric;
 use regge_study::LARGEST_DEGREE;
+use regge_terminal::Stop;
 use std::path::PathBuf;
 
 /// What is said of these arguments at the end of the help.
@@ -80,7 +80,7 @@ impl Given {
                 Ok(Source::Metric(Box::new(metric), self.interpolant))
             }
             (None, Some(lengths)) => Ok(Source::Lengths(lengths.clone())),
-            (None, None) => Err(Stop::Usage("--metric or --lengths is needed".into())),
+            (None, None) => unreachable!("clap requires one of the group `source`"),
         }
     }
 }
@@ -89,11 +89,10 @@ fn refused(error: InputError) -> Stop {
     Stop::Input(error.to_string())
 }
 
-impl From<CurvatureError> for Stop {
-    fn from(error: CurvatureError) -> Self {
-        match error {
-            CurvatureError::Input(reason) => Self::Input(reason),
-            CurvatureError::Failed(reason) => Self::Failed(reason),
-        }
+/// Why a computation stopped.
+pub fn stopped(error: CurvatureError) -> Stop {
+    match error {
+        CurvatureError::Input(reason) => Stop::Input(reason),
+        CurvatureError::Failed(reason) => Stop::Failed(reason),
     }
 }

@@ -7,6 +7,9 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// Refuses a file that cannot be written, before anything is computed for it.
+///
+/// # Errors
+/// Says why it cannot.
 pub fn check(path: &Path) -> Result<(), Stop> {
     let refuse = |reason: &str| Err(Stop::Usage(format!("{}: {reason}", path.display())));
     let path = &real(path);
@@ -19,17 +22,23 @@ pub fn check(path: &Path) -> Result<(), Stop> {
     if is_device(path) {
         return Ok(());
     }
-    let beside = beside(path);
-    let tried = File::create(&beside).and_then(|_| fs::remove_file(&beside));
+    let tried =
+        beside(path).and_then(|beside| File::create(&beside).and_then(|_| fs::remove_file(beside)));
     tried.or_else(|error| refuse(&error.to_string()))
 }
 
 /// Writes a file beside its place and moves it there: what stood there before stays until the new one is whole.
+///
+/// # Errors
+/// Names the file and what failed.
 pub fn write(path: &Path, content: &str) -> Result<(), Stop> {
     write_by(path, |out| out.write_all(content.as_bytes()))
 }
 
-/// A report as JSON.
+/// Writes a report as JSON.
+///
+/// # Errors
+/// Names the file and what failed.
 pub fn json(path: &Path, report: &impl Serialize) -> Result<(), Stop> {
     write_by(path, |out| {
         serde_json::to_writer_pretty(&mut *out, report)?;
@@ -38,6 +47,9 @@ pub fn json(path: &Path, report: &impl Serialize) -> Result<(), Stop> {
 }
 
 /// [`write`] for what need not be in memory as a whole.
+///
+/// # Errors
+/// Names the file and what failed.
 pub fn write_by(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -57,7 +69,7 @@ pub fn write_by(
 type Content<'a> = &'a mut dyn Write;
 
 fn replace(path: &Path, content: impl FnOnce(Content<'_>) -> io::Result<()>) -> io::Result<()> {
-    let beside = beside(path);
+    let beside = beside(path)?;
     let written = File::create(&beside)
         .and_then(|file| fill(file, content)?.sync_all())
         .and_then(|()| fs::rename(&beside, path));
@@ -91,9 +103,12 @@ fn folder(path: &Path) -> &Path {
 }
 
 /// A name in the same folder, so that the move is within one file system, and of this process alone.
-fn beside(path: &Path) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    folder(path).join(format!(".{name}.{}.part", std::process::id()))
+fn beside(path: &Path) -> io::Result<PathBuf> {
+    let name = path
+        .file_name()
+        .ok_or(io::ErrorKind::IsADirectory)?
+        .to_string_lossy();
+    Ok(folder(path).join(format!(".{name}.{}.part", std::process::id())))
 }
 
 #[cfg(test)]

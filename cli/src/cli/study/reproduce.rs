@@ -1,13 +1,12 @@
 //! `regge reproduce`: the paper's tables and figures.
 
-use super::job::Job;
-use super::stop::Stop;
-use super::values::{Levels, named};
-use super::{journal, memory};
+use super::super::values::{Levels, named};
+use super::{Job, journal, memory};
 use clap::ValueEnum;
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
 use regge_study::{Case, LoadQuadrature, ProjectionKind, Quadrature, Quantity, Study};
+use regge_terminal::Stop;
 use std::path::{Path, PathBuf};
 
 /// Where the files of `reproduce` go unless told otherwise.

@@ -1,13 +1,12 @@
 //! `regge converge`: a convergence study of any built-in metric.
 
-use super::job::Job;
+use super::super::values::{Levels, named};
 use super::reproduce::{DEFAULT_SEED, Orders};
-use super::stop::Stop;
-use super::values::{Levels, named};
-use super::{journal, memory};
+use super::{Job, journal, memory};
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
 use regge_study::{Case, Named, ProjectionKind, Quantity, Study};
+use regge_terminal::Stop;
 use std::path::PathBuf;
 
 const DETAILS: &str = "\

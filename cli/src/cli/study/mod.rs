@@ -1,11 +1,17 @@
-//! What `reproduce` and `converge` share: a study, computed, shown and written.
+//! The commands that compute studies, and what they share: a study, computed, shown and written.
 
-use super::journal;
-use super::memory;
-use super::progress::Progress;
-use super::stop::{Out, Stop};
-use super::{notes, output, picture, table};
+pub mod converge;
+mod journal;
+mod memory;
+mod notes;
+mod picture;
+mod progress;
+pub mod reproduce;
+mod table;
+
+use progress::Progress;
 use regge_study::{Event, Report, Row, Study, fits};
+use regge_terminal::{Out, Stop, output};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -89,14 +95,10 @@ impl Job {
     fn write(&self, rows: Vec<Row>) -> Result<(), Stop> {
         let report = Report::new(&self.study, rows, command());
         if let Some(path) = &self.json {
-            let json = serde_json::to_string_pretty(&report);
-            output::write(
-                path,
-                &(json.map_err(|e| Stop::Failed(e.to_string()))? + "\n"),
-            )?;
+            output::json(path, &report)?;
         }
         if let Some(path) = &self.plot {
-            output::write(path, &picture::svg(&self.study, &report, &self.title)?)?;
+            output::write(path, &picture::svg(&self.study, &report, &self.title))?;
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! What does not fit into memory is refused before it begins.
 
-use super::stop::Stop;
 use regge_study::{Case, Study};
+use regge_terminal::Stop;
 
 /// Bytes in a GiB.
 const GIB: f64 = (1u64 << 30) as f64;

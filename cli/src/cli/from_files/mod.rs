@@ -1,0 +1,7 @@
+//! The commands for meshes from files.
+
+pub mod action;
+pub mod curvature;
+pub mod einstein;
+mod files;
+mod given;
