@@ -73,7 +73,7 @@ fn all() -> Vec<Fault> {
         hinges: 1, ("D11", r"2\mathring{\sum_S}"),
             ["M02", "M05", "M14"], ["M01", "M04", "M12", "P24"];
         full_angle: 1, ("D10", r"\Theta_S=0"),
-            ["D11", "M02", "M12", "M14"], ["D09", "M01", "M04", "T04"];
+            ["D11", "M09", "M12", "M14"], ["D09", "M01", "M02", "T04"];
         boundary_angle: 2, ("M15", r"\Bigl(\pi-\sum_T\theta_{ST}\Bigr)"),
             [], ["D09", "D11", "M05", "M07"];
         b_cells: 2, ("T03", "the production b_h's cell term"),
