@@ -66,7 +66,7 @@ impl fmt::Display for UnknownLabel {
 
 impl std::error::Error for UnknownLabel {}
 
-/// Runs the catalogue with the paper's formulas.
+/// Runs the catalogue.
 ///
 /// # Errors
 /// If a label is unknown.

@@ -41,7 +41,7 @@ pub(crate) use einstein::second_variation;
 
 use crate::harness::Record;
 
-/// All of them, by the formulas of the paper.
+/// All of them.
 pub fn catalogue() -> Catalogue {
     let mut all = Catalogue::new();
     at_a_point::<2>(&mut all);

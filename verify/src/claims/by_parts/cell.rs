@@ -4,6 +4,7 @@ use crate::exact::Fp;
 use crate::harness::{Draw, Equation, Judgement, Record, Setting};
 use crate::stage::mesh::{FLAT, FaceTerms, OnMesh, Pair, QUADRATURE, Where, minus, on_one_simplex};
 use crate::stage::polynomial::{ByParts, Exactly, poisoned};
+use regge_curvature::formulas::Formulas;
 
 /// The first two integrations by parts of its proof.
 pub struct T03;
@@ -53,8 +54,8 @@ impl OnMesh for T03 {
 impl ByParts for T03 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_single(numbers);
+    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_single(numbers, formulas);
         let faces = at.faces(|q| [q.gradient, q.div_s]);
         let [div_div, hessian, inner] = if poisoned(&faces) {
             [Fp::POISON; 3]

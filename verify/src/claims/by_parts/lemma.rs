@@ -3,10 +3,10 @@
 use crate::exact::Fp;
 use crate::harness::{Draw, Equation, Judgement, Record, Setting};
 use crate::stage::mesh::{
-    FLAT, FaceTerms, InteriorFaces, OnMesh, Pair, QUADRATURE, Tested, Where, everywhere, minus,
-    on_one_simplex,
+    FLAT, FaceTerms, OnMesh, Pair, QUADRATURE, Tested, Where, everywhere, minus, on_one_simplex,
 };
 use crate::stage::polynomial::{ByParts, Exactly, add_up};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::scalar::Field;
 use regge_curvature::simplex::subsets;
 
@@ -46,7 +46,11 @@ impl OnMesh for M04 {
         };
         let inner = |v: &[f64]| Tested::Inner.of(&pair.space, v);
         let (closed, open) = (at.shape.is_closed(), "there is no boundary");
-        let wrong = inner(&pair.b::<InteriorFaces>().f);
+        let interior = Formulas {
+            b_on_boundary: false,
+            ..at.formulas
+        };
+        let wrong = inner(&pair.b_by(interior).f);
         vec![
             equation(on(Tested::Inner), at.degree == 0)
                 .forge("the printed sign of τ", TURN, minus(&inner(&terms[2].1)))
@@ -145,8 +149,8 @@ impl Terms {
 impl ByParts for T04 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_single(numbers);
+    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_single(numbers, formulas);
         // The hinges first: where roots do not exist at all, the rest need not be integrated.
         let mut hinges = Fp::zero();
         for pair in subsets(N + 1, 2) {
@@ -216,8 +220,8 @@ impl M04 {
 impl ByParts for M04 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_cut(numbers);
+    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_cut(numbers, formulas);
         let mut terms = Terms {
             hinges: Self::hinge(&at),
             faces: [Fp::POISON; 4],

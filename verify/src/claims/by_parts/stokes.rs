@@ -6,9 +6,9 @@ use crate::stage::fields::{Regge, Seen, metric, points_of};
 use crate::stage::mesh::{FLAT, OnMesh, QUADRATURE, on_one_simplex, opposite, outward_of_face};
 use crate::stage::point::Face;
 use crate::stage::polynomial::{ByParts, Exactly};
+use regge_curvature::density::{Corner, outward, surface_div};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::Rules;
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::{outward, surface_div};
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Vector, contract, inverse_and_det};
 use regge_curvature::mesh::Side;
@@ -56,8 +56,8 @@ impl OneForm {
 }
 
 impl Stokes {
-    fn new<const N: usize>(g: &Regge<f64, N>, rules: &Rules, alpha: &OneForm) -> Self {
-        let mut all = Self::default();
+    fn new<const N: usize>(at: &Setting, g: &Regge<f64, N>, alpha: &OneForm) -> Self {
+        let (mut all, rules) = (Self::default(), at.rules(N));
         let on_faces = points_of::<N>(N - 1, &rules.faces);
         let seen = Seen::<f64, N, _>::new(g, N - 1, &rules.faces);
         for (place, points) in on_faces.iter().enumerate() {
@@ -72,15 +72,17 @@ impl Stokes {
             {
                 let connection = Connection::new(&seen.jet1(side, q));
                 let nu = outward_of_face::<f64, N>(place).map(Jet1::constant);
-                let face = Face::new(&connection, &nu);
-                div += w * surface_div(&connection, &face.normal, &form) * face.omega;
+                let face = Face::new(&at.formulas, &connection, &nu);
+                let omega = w * face.normal.omega;
+                div += surface_div(&connection, &face.normal, &form) * omega;
                 let value = form.map(|x| x.value);
-                curved += w * face.h * contract(&value, &face.normal.n) * face.omega;
+                curved += face.h * contract(&value, &face.normal.n) * omega;
             }
             all.div.push(div);
             all.curved.push(curved);
+            let vertex = opposite::<N>(N - 1, place)[0];
             all.boundary
-                .push(outflow(g, rules, alpha, opposite::<N>(N - 1, place)[0]));
+                .push(outflow(&at.formulas, g, &rules, alpha, vertex));
         }
         all
     }
@@ -88,6 +90,7 @@ impl Stokes {
 
 /// ∫_∂F α(ν_F) ω_S of the face opposite to a vertex: over the hinges opposite to it and another.
 fn outflow<const N: usize>(
+    formulas: &Formulas,
     g: &Regge<f64, N>,
     rules: &Rules,
     alpha: &OneForm,
@@ -105,10 +108,10 @@ fn outflow<const N: usize>(
         let forms = alpha.at::<N>(&on_hinges[place]);
         for (q, w) in rules.hinges.weights().iter().enumerate() {
             let (inverse, det) = inverse_and_det(&seen.value(Side { cell: 0, place }, q));
-            let hinge = Hinge::new(&inverse, [&nu[0], &nu[1]]);
+            let corner = Corner::new(formulas, &inverse, det, [&nu[0], &nu[1]]);
             // ν_F = −τ.
-            let flow = -contract(&forms[q].map(|x| x.value), &hinge.conormal(face));
-            sum += w * flow * hinge.omega_s(det);
+            let flow = -contract(&forms[q].map(|x| x.value), &corner.conormal(face));
+            sum += w * flow * corner.omega();
         }
     }
     sum
@@ -134,7 +137,7 @@ impl OnMesh for T01 {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, at.degree);
         let g = metric(&regge, draw);
-        let sides = Stokes::new::<N>(&g, &at.rules(N), &OneForm::new::<N>(draw));
+        let sides = Stokes::new::<N>(at, &g, &OneForm::new::<N>(draw));
         vec![
             Equation::new("Stokes")
                 .left("∫div_Fα ω_F", sides.div)
@@ -149,8 +152,8 @@ impl OnMesh for T01 {
 impl ByParts for T01 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_single(numbers);
+    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
+        let at = Exactly::<N>::on_single(numbers, formulas);
         let (mut div, mut boundary, mut curved) = (Vec::new(), Vec::new(), Vec::new());
         for f in 0..=N {
             let mut outflow = Fp::zero();

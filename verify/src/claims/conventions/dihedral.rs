@@ -2,14 +2,14 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, orthonormal};
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::{Normal, outward};
-use regge_curvature::linalg::{Mat, Vector, form, inverse_and_det};
+use regge_curvature::density::{Corner, outward};
+use regge_curvature::linalg::{Vector, form};
+use regge_curvature::riemann::Connection;
 use regge_curvature::scalar::{Algebraic, Field};
 
 /// (sin θ, cos θ), normalised.
-fn normalised<B: Ground, const N: usize>(hinge: &Hinge<B, N>) -> (B, B) {
-    let (sin, cos) = K::dihedral(hinge);
+fn normalised<B: Ground, const N: usize>(corner: &Corner<'_, B, N>) -> (B, B) {
+    let (sin, cos) = corner.dihedral();
     let scale = B::one() / (sin * sin + cos * cos).sqrt();
     (sin * scale, cos * scale)
 }
@@ -35,10 +35,10 @@ impl Pointwise for D09 {
     const ROOTS: u32 = 8;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
-        let g = i.still0().g;
-        let inverse = inverse_and_det(&g).0;
-        let hinge = Hinge::new(&inverse, [&outward(N), &outward(N - 1)]);
-        let (sin, cos) = normalised::<S::Base, N>(&hinge);
+        let base = i.still0();
+        let g = base.g;
+        let corner = i.corner(&base, [&outward(N), &outward(N - 1)]);
+        let (sin, cos) = normalised(&corner);
         // The hinge has the vertices 0…N−2; the face opposite to vertex N contains N−1, and the other way round.
         let into = |v: usize| {
             let mut edges: Vec<_> = (1..N - 1).map(edge).collect();
@@ -47,7 +47,7 @@ impl Pointwise for D09 {
         };
         let (one, other) = (into(N - 1), into(N));
         let product = form(&g, &one, &other);
-        let normals = form(&g, &hinge.normal(0), &hinge.normal(1));
+        let normals = form(&g, &corner.normal(0), &corner.normal(1));
         let mut equations = vec![
             Equation::new("cos θ")
                 .left("cos θ", cos)
@@ -61,31 +61,34 @@ impl Pointwise for D09 {
                 (S::Base::one() - product * product).sqrt(),
             ),
             Equation::new("τ⁺")
-                .left("τ⁺", hinge.conormal(0))
+                .left("τ⁺", corner.conormal(0))
                 .right("from edges", one),
             Equation::new("τ⁻")
-                .left("τ⁻", hinge.conormal(1))
+                .left("τ⁻", corner.conormal(1))
                 .right("from edges", other),
         ];
         if N == 2 {
-            equations.extend(triangle::<S::Base, N>(&inverse));
+            equations.extend(triangle(i, &base));
         }
         equations
     }
 }
 
 /// The angles of a flat triangle add up to π.
-fn triangle<B: Ground, const N: usize>(inverse: &Mat<B, N>) -> Option<Equation<B>> {
+fn triangle<S: Timed, const N: usize>(
+    i: &Instance<S, N>,
+    base: &Connection<S::Base, N>,
+) -> Option<Equation<S::Base>> {
     let angle = |a: usize, b: usize| {
-        let (sin, cos) = K::dihedral(&Hinge::new(inverse, [&outward(a), &outward(b)]));
-        B::angle(sin, cos)
+        let (sin, cos) = i.corner(base, [&outward(a), &outward(b)]).dihedral();
+        S::Base::angle(sin, cos)
     };
     Some(
         Equation::new("triangle")
             .left("θ_0", angle(1, 2)?)
             .left("θ_1", angle(2, 0)?)
             .left("θ_2", angle(0, 1)?)
-            .right("π", B::from_real(std::f64::consts::PI)),
+            .right("π", S::Base::from_real(std::f64::consts::PI)),
     )
 }
 
@@ -104,16 +107,16 @@ impl Pointwise for I20 {
     const ROOTS: u32 = 8;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
-        let (g, g_t) = (i.still0().g, i.other.map(|x| x.value));
-        let (inverse, inverse_t) = (inverse_and_det(&g).0, inverse_and_det(&g_t).0);
+        let (base, other) = (i.still0(), Connection::new(&i.other));
+        let (g, g_t) = (base.g, other.g);
         let nu = [i.nu().map(|x| x.value), i.nu_bar];
-        let n = [0, 1].map(|a| Normal::new(&inverse, &nu[a]).n);
-        let d = [0, 1].map(|a| Normal::new(&inverse_t, &nu[a]).n - n[a]);
-        let cos = |inverse| normalised::<S::Base, N>(&Hinge::new(inverse, [&nu[0], &nu[1]])).1;
+        let n = [0, 1].map(|a| i.normal(&base, &nu[a]).n);
+        let d = [0, 1].map(|a| i.normal(&other, &nu[a]).n - n[a]);
+        let cos = |at| normalised(&i.corner(at, [&nu[0], &nu[1]])).1;
         vec![
             Equation::new("cos θ − cos θ̃")
-                .left("cos θ", cos(&inverse))
-                .left("−cos θ̃", -cos(&inverse_t))
+                .left("cos θ", cos(&base))
+                .left("−cos θ̃", -cos(&other))
                 .right("g̃(ñ¹−n¹,ñ²−n²)", form(&g_t, &d[0], &d[1]))
                 .right("g̃(ñ¹−n¹,n²)", form(&g_t, &d[0], &n[1]))
                 .right("g̃(n¹,ñ²−n²)", form(&g_t, &n[0], &d[1]))

@@ -64,7 +64,7 @@ impl Pointwise for D03 {
 /// II of a plane, from Christoffel symbols.
 fn plane<S: Timed, const N: usize>(i: &Instance<S, N>) -> Equation<S::Base> {
     let base = i.still0();
-    let face = Face::new(&base, &i.flat_nu());
+    let face = Face::new(&i.formulas, &base, &i.flat_nu());
     let nu = i.nu().map(|x| x.value);
     let christoffel = Mat::<S::Base, N>::from_fn(|a, b| {
         let mut sum = S::Base::zero();
@@ -104,13 +104,14 @@ impl Pointwise for D04 {
         });
         let rho = form(&g, &x, &x).sqrt();
         let over = |k: usize| S::Base::from_int(k as i64) / rho;
-        let face = Face::new(&connection, &nu);
+        let face = Face::new(&i.formulas, &connection, &nu);
+        let inward = Face::new(&i.formulas, &connection, &nu.map(|x| -x));
         vec![
             Equation::new("H")
                 .left("H", face.h)
                 .right("(N−1)/ρ", over(N - 1))
                 .forge("N for N−1", "(N−1)/ρ", over(N))
-                .forge("inward n", "H", Face::new(&connection, &nu.map(|x| -x)).h),
+                .forge("inward n", "H", inward.h),
         ]
     }
 }
@@ -132,7 +133,7 @@ impl Pointwise for D07 {
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();
         let tau = i.frame().tau0();
-        let reversed = scene.face.trace_reversed(&scene.base);
+        let reversed = scene.face.trace_reversed;
         let h = scene.face.h;
         let times = |k: usize| S::Base::from_int(-(k as i64)) * h;
         vec![
@@ -166,7 +167,7 @@ impl Pointwise for D08 {
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (plus, minus) = (i.still0(), Connection::new(&i.other));
         let (nu, opposite) = (i.nu(), i.nu().map(|x| -x));
-        let form = |c: &Connection<S::Base, N>, nu| Face::new(c, nu).second_form;
+        let form = |c: &Connection<S::Base, N>, nu| Face::new(&i.formulas, c, nu).second_form;
         let (here, there) = (form(&plus, &nu), form(&minus, &opposite));
         vec![
             Equation::new("jump")

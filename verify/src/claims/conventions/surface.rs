@@ -2,7 +2,7 @@
 
 use crate::harness::{Equation, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, derivative, orthonormal, sum};
-use regge_curvature::hypersurface::{Normal, surface_div};
+use regge_curvature::density::surface_div;
 use regge_curvature::jet::{Jet1, lower_vector};
 use regge_curvature::linalg::{Vector, apply, contract, form};
 use regge_curvature::riemann::differential;
@@ -23,7 +23,7 @@ impl Pointwise for D05 {
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
-        let normal = Normal::new(&base.inverse, &i.nu().map(|x| x.value));
+        let normal = i.normal(&base, &i.nu().map(|x| x.value));
         let dv = lower_vector(&differential(&i.v));
         let along_n = contract(&dv, &normal.n);
         let surface = apply(&normal.tangential, &dv);
@@ -66,7 +66,7 @@ impl Pointwise for D06 {
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
         let nu = i.nu().map(|x| x.value);
-        let normal = Normal::new(&base.inverse, &nu);
+        let normal = i.normal(&base, &nu);
         let nabla = base.nabla_covector(&i.alpha);
         let div = surface_div(&base, &normal, &i.alpha);
         // The same vectors in the opposite order give another frame.
@@ -114,13 +114,13 @@ impl Pointwise for T02 {
         let normal = &scene.face.normal;
         let dv = lower_vector(&differential(&i.v));
         let gradient = apply(&normal.tangential, &dv);
-        let around = Normal::new(&scene.still.inverse, &i.nu());
+        let around = i.normal(&scene.still, &i.nu());
         let v = Jet1 {
             value: i.v.value,
             d: i.v.d,
         };
         let flux = apply(&scene.sigma1, &around.n).map(|a| a * v);
-        let s_sigma = K::reverse_trace(&scene.base.g, &scene.base.inverse, &scene.sigma);
+        let s_sigma = scene.base.reverse_trace(&i.formulas, &scene.sigma);
         let in_frame = sum(&i.frame().tau0(), |t| {
             derivative(&v, t) * form(&scene.sigma, &normal.n, t)
         });

@@ -71,7 +71,7 @@ impl Pointwise for D02 {
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
-        let rho = K::reverse_trace(&base.g, &base.inverse, &sigma);
+        let rho = base.reverse_trace(&i.formulas, &sigma);
         let tr = base.trace(&sigma);
         let n = N as i64;
         let half_s = (rho + sigma).map(|x| x * S::Base::half());
@@ -106,7 +106,7 @@ impl Pointwise for I09 {
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
-        let rho = K::reverse_trace(&base.g, &base.inverse, &sigma);
+        let rho = base.reverse_trace(&i.formulas, &sigma);
         let square = base.inner(&base.g, &sigma) * base.inner(&base.g, &sigma);
         let times = |k: usize| S::Base::from_int(k as i64) * square;
         vec![

@@ -4,7 +4,7 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, 
 use crate::stage::fields::metric;
 use crate::stage::mesh::{OnMesh, ROUNDING, minus, times};
 use crate::stage::reference::{against_hats, case_of, cases, hinges};
-use regge_curvature::functional::{Rules, distributional_curvature};
+use regge_curvature::functional::distributional_curvature;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
@@ -32,7 +32,7 @@ impl OnMesh for M14 {
         let regge = ReggeSpace::new(&mesh, 0);
         let g = metric(&regge, draw);
         let hats = Lagrange::new(&mesh, 1);
-        let sums = distributional_curvature(&g, &hats, &Rules::new(N, 2));
+        let sums = distributional_curvature(&g, &hats, &at.rules(N));
         let size: f64 = hinges::<f64, N>(&g).iter().map(|h| h.volume).sum();
         vec![
             Equation::new("⟨Rω,v⟩")

@@ -3,12 +3,13 @@
 use crate::harness::{Draw, Equation, Judgement, Record, Setting, Shape, grid};
 use crate::stage::fields::{Regge, moving};
 use crate::stage::mesh::{
-    Clock, Evolution, FLAT, Moving, NO_G, NO_II, OnMesh, POINTS, Pair, QUADRATURE, ROUNDING,
-    Tested, Three, minus, orders,
+    Evolution, FLAT, Moving, NO_G, NO_II, OnMesh, POINTS, Pair, QUADRATURE, ROUNDING, Tested,
+    Three, minus, orders,
 };
 use crate::stage::reference::{FlatHinge, hinges};
 use num_dual::Dual64;
-use regge_curvature::functional::{Rules, Sums};
+use regge_curvature::functional::Sums;
+use regge_curvature::scalar::Number;
 use regge_curvature::spaces::Lagrange;
 
 /// Tori of degree 0 and spheres of all degrees.
@@ -154,10 +155,10 @@ impl Evolution for Action {
     }
 
     /// 2ΣΘ_S V_S by Cholesky's factors, in the place of one test function.
-    fn functional<T: Clock, const N: usize>(
+    fn functional<T: Number, const N: usize>(
+        _: &Setting,
         g: &Regge<T, N>,
         space: &Lagrange<N>,
-        _: &Rules,
     ) -> Sums<T> {
         let none = vec![T::zero(); space.len()];
         let mut hinge = none.clone();

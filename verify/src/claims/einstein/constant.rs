@@ -4,10 +4,9 @@ use crate::harness::{Draw, Equation, Judgement, Record, Setting, Shape, Timed, g
 use crate::stage::fields::moving;
 use crate::stage::mesh::{OnMesh, Pair, ROUNDING, Tested};
 use crate::stage::point::{Instance, Over, Pointwise};
-use crate::stage::reference::{FlatHinge, hinges};
+use crate::stage::reference::{FlatHinge, hinges, leading_minor};
 use num_dual::Dual64;
-use regge_curvature::hinge::Hinge;
-use regge_curvature::linalg::{Mat, Vector};
+use regge_curvature::linalg::Vector;
 use regge_curvature::scalar::Field;
 
 /// ⟨Gω,σ⟩ = −Σ Θ Tr(σ|_S) V_S.
@@ -55,24 +54,7 @@ impl OnMesh for M12 {
     }
 }
 
-/// The determinant of the first k rows and columns, by elimination.
-fn leading_minor<F: Field, const N: usize>(g: &Mat<F, N>, k: usize) -> F {
-    let (mut a, mut product) = (*g, F::one());
-    for p in 0..k {
-        let pivot = a[(p, p)];
-        product *= pivot;
-        for i in p + 1..k {
-            let factor = a[(i, p)] / pivot;
-            for j in p..k {
-                let x = a[(p, j)];
-                a[(i, j)] -= factor * x;
-            }
-        }
-    }
-    product
-}
-
-/// At every point Tr(σ|_S) ω_S = 2V̇_S; Θ_S is a factor of both sides.
+/// At a point Tr(σ|_S) ω_S = 2V̇_S, whatever Θ_S.
 impl Pointwise for M12 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[3, 4, 5];
@@ -86,18 +68,15 @@ impl Pointwise for M12 {
             let unit = |m: usize| if m + k == N { 1 } else { 0 };
             Vector::<S::Base, N>::from_fn(|m, _| S::Base::from_int(unit(m)))
         };
-        let hinge = Hinge::new(&base.inverse, [&last(1), &last(2)]);
-        let trace = hinge.trace(&base.inverse, &sigma) * hinge.omega_s(base.det);
+        let (nu, other) = (last(1), last(2));
+        let corner = i.corner(&base, [&nu, &other]);
+        let omega_s = corner.omega();
         let rate = leading_minor(&i.moving0().g, N - 2).sqrt().rate();
         vec![
             Equation::new("Tr(σ|_S)ω_S")
-                .left("Tr(σ|_S)ω_S", trace)
+                .left("Tr(σ|_S)ω_S", corner.trace(&sigma) * omega_s)
                 .right("2V̇_S", rate + rate)
-                .forge(
-                    "Tr σ",
-                    "Tr(σ|_S)ω_S",
-                    base.trace(&sigma) * hinge.omega_s(base.det),
-                ),
+                .forge("Tr σ", "Tr(σ|_S)ω_S", base.trace(&sigma) * omega_s),
         ]
     }
 }

@@ -2,14 +2,13 @@
 
 use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, grid};
 use crate::stage::fields::{
-    Regge, Seen, combination, flat, function, integral, lifted, moving, near_flat, variation,
+    Regge, Seen, combination, flat, function, integral, moving, near_flat, variation,
 };
 use crate::stage::mesh::{HingeTerms, OnMesh, POINTS_IN_T, QUADRATURE, ROUNDING, too_few};
 use crate::stage::reference::hinges;
-use num_dual::{Dual64, HyperDual64};
-use regge_curvature::functional::{Rules, a_h, distributional_curvature};
+use num_dual::HyperDual64;
+use regge_curvature::functional::{a_h, distributional_curvature};
 use regge_curvature::linalg::Mat;
-use regge_curvature::mesh::Mesh;
 use regge_curvature::quadrature::gauss_legendre;
 use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
@@ -18,20 +17,21 @@ pub struct M13;
 
 /// −Σ_S ∫ Σ_F ⟦ρ(n,τ)⟧ Tr(σ|_S) ω_S / 2, τ into F: Σ Θ̇ Tr(σ|_S) ω_S of the corrected lemma.
 fn bilinear<const N: usize>(
-    mesh: &Mesh<N>,
+    at: &Setting,
     g: &Regge<f64, N>,
     rho: &Regge<f64, N>,
     sigma: &Regge<f64, N>,
 ) -> f64 {
+    let mesh = g.space().mesh();
     let hats = Lagrange::new(mesh, 1);
-    let rule = Rules::new(N, 2).hinges;
+    let rule = at.rules(N).hinges;
     let (seen, on_rho, on_sigma) = (
         Seen::<f64, N, _>::new(g, N - 2, &rule),
         Seen::<f64, N, _>::new(rho, N - 2, &rule),
         Seen::<f64, N, _>::new(sigma, N - 2, &rule),
     );
     let terms = |metric: &Mat<f64, N>, field: Mat<f64, N>, place| {
-        HingeTerms::new::<N>(metric, &field, place)
+        HingeTerms::new::<N>(&at.formulas, metric, &field, place)
     };
     let sum = integral(
         &hats,
@@ -50,23 +50,23 @@ fn bilinear<const N: usize>(
 /// On the flat 3-torus: d²/dt² of ⟨(Rω)_dist(δ+tσ), 1⟩ by hyper-dual numbers for one random σ, and
 /// ½Σ_S∫Σ_F⟦σ(n,τ)⟧Tr(σ|_S)ω_S with τ pointing into F, as it is printed.
 pub fn second_variation(draw: &mut Draw) -> (f64, f64) {
-    let mesh = Shape::Torus(3).mesh::<3>();
-    let regge = ReggeSpace::new(&mesh, 0);
+    let at = Setting::new(Shape::Torus(3), 0, 2);
+    let regge = ReggeSpace::new(&at.shape.mesh::<3>(), 0);
     let (g, sigma) = (flat(&regge), variation(&regge, draw));
     (
-        hessian::<3>(&mesh, &g, &sigma, &sigma).iter().sum(),
-        -bilinear::<3>(&mesh, &g, &sigma, &sigma),
+        hessian(&at, &g, &sigma, &sigma).iter().sum(),
+        -bilinear(&at, &g, &sigma, &sigma),
     )
 }
 
 /// ∂²/∂s∂t ⟨(Rω)_dist(g+sρ+tσ), φ⟩ for the hat functions φ.
 fn hessian<const N: usize>(
-    mesh: &Mesh<N>,
+    at: &Setting,
     g: &Regge<f64, N>,
     rho: &Regge<f64, N>,
     sigma: &Regge<f64, N>,
 ) -> Vec<f64> {
-    let (hats, rules) = (Lagrange::new(mesh, 1), Rules::new(N, 2));
+    let (hats, rules) = (Lagrange::new(g.space().mesh(), 1), at.rules(N));
     let three = g
         .coefficients()
         .iter()
@@ -105,18 +105,17 @@ impl OnMesh for M13 {
         let regge = ReggeSpace::new(&mesh, 0);
         let g = flat(&regge);
         let (rho, sigma) = (variation(&regge, draw), variation(&regge, draw));
-        let (hats, rules) = (Lagrange::new(&mesh, 1), Rules::new(N, 2));
+        let (hats, rules) = (Lagrange::new(&mesh, 1), at.rules(N));
         let gradient = |along: &Regge<f64, N>, against: &Regge<f64, N>| -> f64 {
-            let against = lifted::<Dual64, N>(against);
             let moved = moving(&g, along);
-            let a = a_h(&moved, &against, &hats, &rules);
+            let a = a_h(&moved, against, &hats, &rules);
             a.hinges.iter().map(|x| x.eps).sum()
         };
-        let by_hats = hessian::<N>(&mesh, &g, &rho, &sigma);
+        let by_hats = hessian(at, &g, &rho, &sigma);
         let hessian: f64 = by_hats.iter().sum();
         // The sums are of hundreds of hinges with either sign, and may be small by chance.
         let size = vec![by_hats.iter().map(|x| x.abs()).sum::<f64>()];
-        let formula = bilinear::<N>(&mesh, &g, &rho, &sigma);
+        let formula = bilinear(at, &g, &rho, &sigma);
         vec![
             Equation::new("d/dt⟨Gω(δ+tρ),σ⟩")
                 .left("d/dt⟨Gω(δ+tρ),σ⟩", gradient(&rho, &sigma))
@@ -147,7 +146,7 @@ pub struct FromFlat;
 impl FromFlat {
     /// −½ΣΣ⟦σ(n,τ)⟧Tr(σ|_S)ω_S = ΣΘ̇ Tr(σ|_S)ω_S and 2ΣΘV̈ = −½ΣΘ Tr(σ|_S)²ω_S at g: an edge has the length √q, q its
     /// only coefficient.
-    fn second<const N: usize>(g: &Regge<f64, N>, sigma: &Regge<f64, N>) -> [f64; 2] {
+    fn second<const N: usize>(at: &Setting, g: &Regge<f64, N>, sigma: &Regge<f64, N>) -> [f64; 2] {
         let (mesh, space) = (g.space().mesh(), g.space());
         let bent = hinges::<f64, N>(g).into_iter().map(|h| {
             let side = mesh.first_side(N - 2, h.hinge);
@@ -155,17 +154,21 @@ impl FromFlat {
             let trace = sigma.coefficients()[dof] / g.coefficients()[dof];
             -0.5 * h.defect * trace * trace * h.volume
         });
-        [bilinear::<N>(mesh, g, sigma, sigma), bent.sum()]
+        [bilinear(at, g, sigma, sigma), bent.sum()]
     }
 
     /// The integrals of both by so many Gauss points.
-    fn integrals<const N: usize>(ends: [&Regge<f64, N>; 2], points: usize) -> [f64; 2] {
+    fn integrals<const N: usize>(
+        at: &Setting,
+        ends: [&Regge<f64, N>; 2],
+        points: usize,
+    ) -> [f64; 2] {
         let [from, to] = ends;
         let sigma = combination(-1.0, from, 1.0, to);
         let mut sums = [0.0; 2];
         let (nodes, weights) = gauss_legendre(points);
         for (t, w) in nodes.into_iter().zip(weights) {
-            let second = Self::second::<N>(&combination(1.0 - t, from, t, to), &sigma);
+            let second = Self::second(at, &combination(1.0 - t, from, t, to), &sigma);
             for (sum, x) in sums.iter_mut().zip(second) {
                 *sum += w * (1.0 - t) * x;
             }
@@ -192,7 +195,7 @@ impl OnMesh for FromFlat {
         let to = near_flat(&regge, &draw.numbers(regge.len()), 0.05);
         let rules = at.rules(N);
         let sums = distributional_curvature(&to, &hats, &rules);
-        let [turn, bend] = Self::integrals::<N>([&from, &to], POINTS_IN_T);
+        let [turn, bend] = Self::integrals(at, [&from, &to], POINTS_IN_T);
         let size: f64 = hinges::<f64, N>(&to)
             .iter()
             .map(|h| (h.defect * h.volume).abs())
@@ -205,7 +208,7 @@ impl OnMesh for FromFlat {
             .magnitude(size)
             .forge("the printed sign of τ", names[0], -turn);
         for (points, name) in too_few(at, N) {
-            let coarse = Self::integrals::<N>([&from, &to], points);
+            let coarse = Self::integrals(at, [&from, &to], points);
             let both = names.into_iter().zip(coarse.map(|x| vec![x]));
             equation = equation.forge_terms(name, both.collect()).somewhere();
         }

@@ -2,8 +2,8 @@
 
 use crate::harness::{Equation, Judgement, Record, Setting};
 use crate::stage::mesh::{Evolution, Moving, QUADRATURE, Three, everywhere};
-use regge_curvature::field::TensorField;
-use regge_curvature::functional::a_h;
+use regge_curvature::field::{Evaluate, PointByPoint};
+use regge_curvature::functional::einstein;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::Mat;
 use regge_curvature::simplex::{Bernstein, JetTable, Points};
@@ -16,7 +16,7 @@ struct Product<'a, S, const N: usize> {
     sigma: &'a S,
 }
 
-impl<S: TensorField<f64, N>, const N: usize> TensorField<f64, N> for Product<'_, S, N> {
+impl<S: Evaluate<f64, N>, const N: usize> Evaluate<f64, N> for Product<'_, S, N> {
     type Table = (JetTable<f64, N>, S::Table);
     type Local = (Vec<f64>, S::Local);
 
@@ -62,13 +62,14 @@ impl Evolution for M10 {
             v,
             sigma: &pair.sigma,
         };
-        let hats = Lagrange::new(pair.space.mesh(), 1);
-        let einstein = a_h(&pair.g, &product, &hats, &pair.rules).pair(&vec![1.0; hats.len()]);
+        // vσ is evaluated over f64 alone.
+        let g = PointByPoint(&pair.g);
+        let einstein = einstein(&g, &product, pair.space.mesh(), &pair.rules);
         vec![
             Equation::new("by the Einstein tensor")
                 .left("d/dt⟨(Rω)_dist,v⟩", whole(&m.rate))
                 .right("⟨(div div 𝕊)_dist σ,v⟩", whole(&pair.b()))
-                .right("−⟨(Gω)_dist,vσ⟩", -einstein.iter().sum::<f64>())
+                .right("−⟨(Gω)_dist,vσ⟩", -einstein.total())
                 .vanishes(N == 2, "(Gω)_dist = 0 when N = 2"),
         ]
     }

@@ -1,10 +1,10 @@
 //! M07: surfaces have no Einstein tensor.
 
 use crate::harness::{Draw, Equation, Judgement, Record, Setting, Shape, Timed, grid};
-use crate::stage::mesh::{FLAT, OnMesh, POINTS, Pair, PlainSecondForm, ROUNDING};
+use crate::stage::mesh::{FLAT, OnMesh, POINTS, Pair, ROUNDING};
 use crate::stage::point::{Instance, Over, Pointwise};
-use regge_curvature::hinge::Hinge;
-use regge_curvature::scalar::Algebraic;
+use regge_curvature::density::Inside;
+use regge_curvature::formulas::Formulas;
 
 /// (Gω)_dist = 0 when N = 2.
 pub struct M07;
@@ -28,7 +28,11 @@ impl OnMesh for M07 {
 
     fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let pair = Pair::<N>::draw(at, draw);
-        let (a, plain) = (pair.a(), pair.a::<PlainSecondForm>());
+        let plain = Formulas {
+            trace_reversed: 0,
+            ..at.formulas
+        };
+        let (a, plain) = (pair.a(), pair.a_by(plain));
         let flat = at.degree == 0;
         // R and Θ of size 1 times σ of size 1: what cancels.
         let size = 1.0;
@@ -61,12 +65,13 @@ impl Pointwise for M07 {
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (still, scene, sigma) = (i.still(), i.scene(), i.sigma0());
         let base = still.lower();
-        let (omega, omega_f) = (base.det.sqrt(), scene.face.omega);
-        let reversed = scene.face.trace_reversed(&base);
-        let hinge = Hinge::new(&base.inverse, [&i.nu().map(|x| x.value), &i.nu_bar]);
+        let (einstein, omega) = Inside::new(&i.formulas, &i.g, &base).einstein();
+        let (reversed, omega_f) = (scene.face.trace_reversed, scene.face.normal.omega);
+        let nu = i.nu().map(|x| x.value);
+        let on_s = i.corner(&base, [&nu, &i.nu_bar]).trace(&sigma);
         vec![
             Equation::new("⟨G,σ⟩ω")
-                .left("⟨G,σ⟩ω", base.inner(&still.einstein(), &sigma) * omega)
+                .left("⟨G,σ⟩ω", base.inner(&einstein, &sigma) * omega)
                 .vanishes(true, "G = 0")
                 .forge(
                     "Ric for G",
@@ -81,7 +86,7 @@ impl Pointwise for M07 {
                 .vanishes(true, "II‾ = II − Hg = 0 on a curve")
                 .forge("II for II‾", "⟨II‾,σ⟩ω_F", scene.ii_sigma * omega_f),
             Equation::new("Tr(σ|_S)")
-                .left("Tr(σ|_S)", hinge.trace(&base.inverse, &sigma))
+                .left("Tr(σ|_S)", on_s)
                 .vanishes(true, "S is a point")
                 .forge("Tr σ", "Tr(σ|_S)", base.trace(&sigma)),
         ]

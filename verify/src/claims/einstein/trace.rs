@@ -4,8 +4,6 @@ use crate::harness::{Draw, Equation, Judgement, Record, Setting, Timed};
 use crate::stage::mesh::{FLAT, OnMesh, Pair, ROUNDING, at_points, times, values};
 use crate::stage::point::{Instance, Over, Pointwise, Scene};
 use regge_curvature::functional::{a_h, distributional_curvature};
-use regge_curvature::hinge::Hinge;
-use regge_curvature::linalg::Mat;
 use regge_curvature::riemann::Connection;
 use regge_curvature::scalar::Field;
 
@@ -29,10 +27,11 @@ impl Pointwise for M11 {
         let scene = i.scene();
         let times = |k: usize, x: S::Base| S::Base::from_int(-(k as i64)) * x;
         let half_r = S::Base::half() * r;
-        let hinge = Hinge::new(&base.inverse, [&i.nu().map(|x| x.value), &i.nu_bar]);
+        let nu = i.nu().map(|x| x.value);
+        let on_s = i.corner(&base, [&nu, &i.nu_bar]).trace(&base.g);
         vec![
             Equation::new("⟨G,g⟩")
-                .left("⟨G,g⟩", base.inner(&still.einstein(), &base.g))
+                .left("⟨G,g⟩", base.inner(&still.einstein(&i.formulas), &base.g))
                 .vanishes(N == 2, "G = 0 when N = 2")
                 .right("−(N−2)R/2", times(N - 2, half_r))
                 .vanishes(N == 2, "N − 2 = 0")
@@ -40,7 +39,7 @@ impl Pointwise for M11 {
                 .forge("N−1 for N−2", "−(N−2)R/2", times(N - 1, half_r)),
             reversed_trace::<S, N>(&scene, &base),
             Equation::new("Tr(g|_S)")
-                .left("Tr(g|_S)", hinge.trace(&base.inverse, &base.g))
+                .left("Tr(g|_S)", on_s)
                 .vanishes(N == 2, "S is a point")
                 .right("N−2", -times(N - 2, S::Base::one()))
                 .vanishes(N == 2, "N − 2 = 0")
@@ -55,11 +54,11 @@ fn reversed_trace<S: Timed, const N: usize>(
     scene: &Scene<S::Base, N>,
     base: &Connection<S::Base, N>,
 ) -> Equation<S::Base> {
-    let reversed: Mat<S::Base, N> = scene.face.trace_reversed(base);
+    let reversed = &scene.face.trace_reversed;
     let h = scene.face.h;
     let times = |k: usize| S::Base::from_int(-(k as i64)) * h;
     Equation::new("⟨II‾,g⟩")
-        .left("⟨II‾,g⟩", scene.face.normal.inner(&reversed, &base.g))
+        .left("⟨II‾,g⟩", scene.face.normal.inner(reversed, &base.g))
         .vanishes(N == 2, "II‾ = 0 when N = 2")
         .right("−(N−2)H", times(N - 2))
         .vanishes(N == 2, "N − 2 = 0")

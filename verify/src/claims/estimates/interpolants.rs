@@ -4,10 +4,9 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, 
 use crate::stage::fields::{Patch, function, variation};
 use crate::stage::mesh::{OnMesh, torn};
 use crate::stage::reference::{case_of, cases};
-use regge_curvature::interpolate::{Canonical, Interpolant, Projection};
+use regge_curvature::interpolate::{Canonical, Interpolant};
 use regge_curvature::mesh::{Mesh, Slot};
 use regge_curvature::metrics::{Metric, Smooth};
-use regge_curvature::quadrature::Rule;
 use regge_curvature::simplex::binomial;
 use regge_curvature::spaces::{ReggeSpace, dofs_per_simplex};
 
@@ -97,7 +96,7 @@ fn average<const N: usize>(
     let loose = ReggeSpace::new(&apart, space.degree());
     let on = |mesh| Smooth::new(mesh, formula).expect("the mesh has coordinates");
     let (g, on_apart) = (on(space.mesh()), on(&apart));
-    let interpolant = Interpolant::Average(Projection::exact::<N>(space.degree()));
+    let interpolant = Interpolant::average();
     let g_h = interpolant.apply(space, &g).expect("it is near g");
     // Nothing is shared on the mesh without connections: the average is the projection itself.
     let projected = interpolant.apply(&loose, &on_apart).expect("it is near g");
@@ -133,14 +132,14 @@ impl OnMesh for InterpolantOracle {
         let mesh: Mesh<N> = case.mesh();
         let regge = ReggeSpace::new(&mesh, case.degree);
         let g = Smooth::new(&mesh, case.formula()).expect("the mesh has coordinates");
-        let hierarchical = Interpolant::AverageHierarchical(Projection::by(Rule::new(N, at.order)));
         let (canonical, same) = (case.interpolant == "canonical", case.degree == 0);
         let interpolant = if canonical {
-            Interpolant::Canonical { order: at.order }
+            Interpolant::canonical()
         } else {
-            hierarchical
-        };
-        let other = Interpolant::Average(Projection::exact::<N>(case.degree));
+            Interpolant::average_hierarchical()
+        }
+        .with_order(at.order);
+        let other = Interpolant::average();
         let by = |i: &Interpolant| {
             let g_h = i.apply(&regge, &g).expect("it is near g");
             g_h.coefficients().to_vec()

@@ -3,13 +3,15 @@
 use crate::harness::{Equation, Excuses, Ground, Record, Timed};
 use crate::stage::point::{Instance, Over, Pointwise};
 use nalgebra::DMatrix;
-use regge_curvature::hypersurface::Normal;
-use regge_curvature::linalg::{Mat, Vector, apply, contract, inverse_and_det};
+use regge_curvature::density::Normal;
+use regge_curvature::linalg::{Mat, Vector, apply, contract};
+use regge_curvature::riemann::Connection;
 use regge_curvature::scalar::{Algebraic, Field};
 
 /// A covector and two inverse metrics.
 struct Pair<B: Ground, const N: usize> {
     nu: Vector<B, N>,
+    normals: [Normal<B, N>; 2],
     metrics: [Mat<B, N>; 2],
     inverses: [Mat<B, N>; 2],
     /// νᵀ g⁻¹ ν.
@@ -19,10 +21,11 @@ struct Pair<B: Ground, const N: usize> {
 impl<B: Ground, const N: usize> Pair<B, N> {
     fn new<S: Timed<Base = B>>(i: &Instance<S, N>) -> Self {
         let nu = i.nu().map(|x| x.value);
-        let metrics = [i.still0().g, i.other.map(|x| x.value)];
-        let inverses = metrics.map(|g| inverse_and_det(&g).0);
+        let both = [i.still0(), Connection::new(&i.other)];
+        let (metrics, inverses) = (both.map(|c| c.g), both.map(|c| c.inverse));
         let squares = inverses.map(|inverse| contract(&nu, &apply(&inverse, &nu)));
         Self {
+            normals: both.map(|c| i.normal(&c, &nu)),
             nu,
             metrics,
             inverses,
@@ -32,10 +35,7 @@ impl<B: Ground, const N: usize> Pair<B, N> {
 
     /// n_1 − n_2.
     fn difference(&self) -> Vector<B, N> {
-        let [one, two] = self
-            .inverses
-            .map(|inverse| Normal::new(&inverse, &self.nu).n);
-        one - two
+        self.normals[0].n - self.normals[1].n
     }
 
     /// (b − a)/(a√b + b√a) with the squares a and b.
@@ -60,9 +60,7 @@ impl Pointwise for I01 {
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
-        let [a, b] = pair
-            .inverses
-            .map(|g| S::Base::one() / Normal::new(&g, &pair.nu).length);
+        let [a, b] = pair.normals.map(|n| S::Base::one() / n.length);
         vec![
             Equation::new("1/√a − 1/√b")
                 .left("1/√a", a)

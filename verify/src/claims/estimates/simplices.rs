@@ -2,8 +2,8 @@
 
 use crate::harness::{Equation, Excuses, Ground, Record, Timed};
 use crate::stage::point::{Instance, Over, Pointwise};
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::outward;
+use regge_curvature::density::{Corner, outward};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form, inverse_and_det, symmetric};
 use regge_curvature::scalar::Field;
 use regge_curvature::simplex::binomial;
@@ -21,8 +21,8 @@ struct Shape {
 }
 
 impl Shape {
-    fn new<B: Ground, const N: usize>(g: &Mat<B, N>) -> Self {
-        let inverse = inverse_and_det(g).0;
+    fn new<B: Ground, const N: usize>(formulas: &Formulas, g: &Mat<B, N>) -> Self {
+        let (inverse, det) = inverse_and_det(g);
         let nu: Vec<Vector<B, N>> = (0..=N).map(outward).collect();
         // 1/|dλ_f| is the height over the face f, and 1/ρ = Σ_f 1/height_f.
         let inverse_heights: Vec<f64> = nu
@@ -32,7 +32,7 @@ impl Shape {
         let (mut diameter, mut least_sine) = (0.0_f64, 1.0_f64);
         for a in 0..=N {
             for b in 0..a {
-                let (sin, cos) = K::dihedral(&Hinge::new(&inverse, [&nu[a], &nu[b]]));
+                let (sin, cos) = Corner::new(formulas, &inverse, det, [&nu[a], &nu[b]]).dihedral();
                 let (sin, cos) = (sin.to_real(), cos.to_real());
                 least_sine = least_sine.min(sin / f64::hypot(sin, cos));
                 let edge: Vector<B, N> = Vector::from_fn(|k, _| {
@@ -88,9 +88,9 @@ impl Pointwise for I18 {
                 .right("least sin θ", S::Base::from_real(shape.least_sine))
                 .forge("no sin θ", "least sin θ", S::Base::from_real(0.0))
         };
-        let random = Shape::new::<S::Base, N>(&i.still0().g);
+        let random = Shape::new(&i.formulas, &i.still0().g);
         let (twice, height) = (2.0 * random.inradius, random.least_height);
-        let thin = Shape::new::<S::Base, N>(&slender());
+        let thin = Shape::new(&i.formulas, &slender::<S::Base, N>());
         let sharper = S::Base::from_real(2.01 * thin.inradius / thin.diameter);
         vec![
             bound("random simplex", random),

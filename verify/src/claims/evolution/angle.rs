@@ -2,9 +2,8 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::Normal;
-use regge_curvature::linalg::{Mat, Vector, form};
+use regge_curvature::linalg::{Vector, form};
+use regge_curvature::riemann::Connection;
 use regge_curvature::scalar::Field;
 
 /// (n, τ) and (n̄, τ̄) with τ = τ̄ cos θ + n̄ sin θ, n = −τ̄ sin θ + n̄ cos θ, and θ's cosine and sine.
@@ -19,10 +18,14 @@ struct Turned<B: Ground, const N: usize> {
 
 impl<B: Ground, const N: usize> Turned<B, N> {
     /// n ⊥ ν and n̄ ⊥ ν̄; sin θ > 0.
-    fn new(g: &Mat<B, N>, inverse: &Mat<B, N>, nu: &Vector<B, N>, nu_bar: &Vector<B, N>) -> Self {
-        let n = Normal::new(inverse, nu).n;
-        let n_bar = Normal::new(inverse, nu_bar).n;
-        let cos = form(g, &n_bar, &n);
+    fn new<S: Timed<Base = B>>(
+        i: &Instance<S, N>,
+        base: &Connection<B, N>,
+        nu: &Vector<B, N>,
+    ) -> Self {
+        let n = i.normal(base, nu).n;
+        let n_bar = i.normal(base, &i.nu_bar).n;
+        let cos = form(&base.g, &n_bar, &n);
         let sin = (B::one() - cos * cos).sqrt();
         let over = B::one() / sin;
         let tau_bar = Vector::from_fn(|k, _| (n_bar[k] * cos - n[k]) * over);
@@ -38,18 +41,9 @@ impl<B: Ground, const N: usize> Turned<B, N> {
     }
 }
 
-/// θ between the normals of two hypersurfaces: the dihedral angle of the wedge with outward covectors ν̄ and −ν.
-fn wedge<S: Timed, const N: usize>(
-    i: &Instance<S, N>,
-    nu: &Vector<S, N>,
-    nu_bar: &Vector<S, N>,
-) -> Hinge<S, N> {
-    Hinge::new(&i.moving0().inverse, [nu_bar, &nu.map(|x| -x)])
-}
-
-/// θ̇.
-fn rate<S: Timed, const N: usize>(hinge: &Hinge<S, N>) -> S::Base {
-    let (sin, cos) = K::dihedral(hinge);
+/// θ̇ between the normals of two hypersurfaces: of the dihedral angle of the wedge with these outward covectors.
+fn rate<S: Timed, const N: usize>(i: &Instance<S, N>, nu: [&Vector<S, N>; 2]) -> S::Base {
+    let (sin, cos) = i.corner(&i.moving0(), nu).dihedral();
     S::angle_rate(sin, cos)
 }
 
@@ -70,11 +64,12 @@ impl Pointwise for P22 {
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
         let nu = i.nu().map(|x| x.value);
-        let pairs = Turned::new(&base.g, &base.inverse, &nu, &i.nu_bar);
-        let (nu_t, bar_t) = (nu.map(S::fixed), i.nu_bar.map(S::fixed));
-        let turning = Vector::from_fn(|k, _| S::new(nu[k], i.nu_rate[k]));
+        let pairs = Turned::new(i, &base, &nu);
+        // The wedge with outward covectors ν̄ and −ν.
+        let (nu_t, bar_t) = (nu.map(|x| S::fixed(-x)), i.nu_bar.map(S::fixed));
+        let turning = Vector::from_fn(|k, _| S::new(-nu[k], -i.nu_rate[k]));
         let half = S::Base::half();
-        let left = rate::<S, N>(&wedge(i, &nu_t, &bar_t));
+        let left = rate(i, [&bar_t, &nu_t]);
         vec![
             Equation::new("θ̇")
                 .left("θ̇", left)
@@ -83,7 +78,7 @@ impl Pointwise for P22 {
                     "−½σ(n̄,τ̄)",
                     -half * form(&sigma, &pairs.n_bar, &pairs.tau_bar),
                 )
-                .forge("F moves", "θ̇", rate::<S, N>(&wedge(i, &turning, &bar_t)))
+                .forge("F moves", "θ̇", rate(i, [&bar_t, &turning]))
                 .forge("cos θ = +g(n⁺,n⁻)", "θ̇", -left),
         ]
     }
@@ -110,14 +105,15 @@ impl Pointwise for P23 {
         let nu = i.nu().map(|x| x.value);
         let Turned {
             n, n_bar, cos, sin, ..
-        } = Turned::new(&base.g, &base.inverse, &nu, &i.nu_bar);
+        } = Turned::new(i, &base, &nu);
         let half = S::Base::half();
-        let theta = rate::<S, N>(&wedge(i, &nu.map(S::fixed), &i.nu_bar.map(S::fixed)));
-        let hinge = Hinge::new(&base.inverse, [&i.nu_bar, &nu.map(|x| -x)]);
+        let opposite = -nu;
+        let theta = rate(i, [&i.nu_bar.map(S::fixed), &opposite.map(S::fixed)]);
+        let corner = i.corner(&base, [&i.nu_bar, &opposite]);
         let first = Vector::from_fn(|k, _| n_bar[k] * cos - n[k]);
         let second = Vector::from_fn(|k, _| n[k] * cos - n_bar[k]);
         // The wedge's conormals point into the faces: −τ̄ and −τ.
-        let (tau_bar, tau) = (-hinge.conormal(0), -hinge.conormal(1));
+        let (tau_bar, tau) = (-corner.conormal(0), -corner.conormal(1));
         vec![
             Equation::new("θ̇ sin θ")
                 .left("−θ̇ sin θ", -theta * sin)
@@ -166,10 +162,9 @@ fn dihedral<S: Timed, const N: usize>(
     nu: Vector<S::Base, N>,
 ) -> Equation<S::Base> {
     let (base, sigma) = (i.still0(), i.sigma0());
-    let hinge = Hinge::new(&base.inverse, [&nu, &i.nu_bar]);
-    let moving = [nu.map(S::fixed), i.nu_bar.map(S::fixed)];
-    let left = rate::<S, N>(&Hinge::new(&i.moving0().inverse, [&moving[0], &moving[1]]));
-    let on = |f: usize| S::Base::half() * form(&sigma, &hinge.normal(f), &hinge.conormal(f));
+    let corner = i.corner(&base, [&nu, &i.nu_bar]);
+    let left = rate(i, [&nu.map(S::fixed), &i.nu_bar.map(S::fixed)]);
+    let on = |f: usize| S::Base::half() * form(&sigma, &corner.normal(f), &corner.conormal(f));
     let names = ["½σ(n_a,τ_a)", "½σ(n_b,τ_b)"];
     let equation = Equation::new(name)
         .left("θ̇_ST", left)
@@ -181,7 +176,7 @@ fn dihedral<S: Timed, const N: usize>(
         )
         .forge("cos θ = +g(n⁺,n⁻)", "θ̇_ST", -left);
     // θ = arcsin(…) is right for acute angles only.
-    let cos = (-hinge.product).to_real();
+    let cos = (-corner.product).to_real();
     if cos.is_nan() {
         return equation;
     }

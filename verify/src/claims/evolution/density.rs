@@ -36,10 +36,8 @@ fn density<S: Timed, const N: usize>(
 ) -> Equation<S::Base> {
     let scene = Scene::new::<S>(i, nu);
     let face = &scene.face;
-    let minus_half = -S::Base::half() * face.omega;
-    let reversed = face
-        .normal
-        .inner(&face.trace_reversed(&scene.base), &scene.sigma);
+    let minus_half = -S::Base::half() * face.normal.omega;
+    let reversed = face.normal.inner(&face.trace_reversed, &scene.sigma);
     Equation::new(name)
         .left("∂_t(Hω_F)", mean_curvature_density::<S, N>(i, nu).rate())
         .right("−½⟨II‾,σ⟩ω_F", minus_half * reversed)
@@ -83,8 +81,8 @@ impl Pointwise for P21 {
         let turn = along(&scene.base.nabla_vector(&n1), &tau);
         let bend = along(&scene.base.nabla_vector(&tau1), &tau);
         let shear = derivative(&form(&scene.sigma1, &n1, &tau1), &tau);
-        let reversed = face.trace_reversed(&scene.base);
-        let minus_half = -S::Base::half() * face.omega;
+        let reversed = face.trace_reversed;
+        let minus_half = -S::Base::half() * face.normal.omega;
         vec![
             Equation::new("∇_τ n")
                 .left("∇_τ n", turn)

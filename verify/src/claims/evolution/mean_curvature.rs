@@ -181,12 +181,15 @@ impl Pointwise for P19 {
             });
         }
         let trace = sum(&tau, |t| form(&scene.sigma, t, t));
-        let reversed = scene.face.trace_reversed(&scene.base);
+        let reversed = scene
+            .face
+            .normal
+            .inner(&scene.face.trace_reversed, &scene.sigma);
         vec![
             Equation::new("⟨II‾,σ⟩")
                 .left("⟨II,σ⟩", against)
                 .left("−H Tr(σ|_F)", -scene.face.h * trace)
-                .right("⟨II‾,σ⟩", scene.face.normal.inner(&reversed, &scene.sigma))
+                .right("⟨II‾,σ⟩", reversed)
                 .vanishes(N == 2, "II‾ = 0 when N = 2")
                 .forge("II for II‾", "⟨II‾,σ⟩", scene.ii_sigma),
         ]

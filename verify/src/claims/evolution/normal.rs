@@ -2,8 +2,8 @@
 
 use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise};
-use regge_curvature::hypersurface::Normal;
-use regge_curvature::linalg::{Mat, Vector, apply, contract, form};
+use regge_curvature::density::Normal;
+use regge_curvature::linalg::{Mat, Vector, apply, contract, form, identity};
 use regge_curvature::scalar::Field;
 
 /// n.
@@ -22,9 +22,9 @@ impl Pointwise for D12 {
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
         let nu = i.nu().map(|x| x.value);
-        let normal = Normal::new(&base.inverse, &nu);
+        let normal = i.normal(&base, &nu);
         let z = i.fields[0].map(|x| x.value.value());
-        let euclidean = Normal::new(&regge_curvature::linalg::identity(), &nu).n;
+        let euclidean = Normal::new(&i.formulas, &identity(), S::Base::one(), &nu).n;
         let on_z = normal.length * form(&base.g, &normal.n, &z);
         vec![
             Equation::new("length")
@@ -63,9 +63,8 @@ impl Pointwise for P07 {
         let (moving, base) = (i.moving0(), i.still0());
         let nu = i.nu().map(|x| x.value);
         let x = i.fields[0].map(|x| x.value);
-        let rate =
-            |nu: Vector<S, N>| form(&moving.g, &Normal::new(&moving.inverse, &nu).n, &x).rate();
-        let n = Normal::new(&base.inverse, &nu).n;
+        let rate = |nu: Vector<S, N>| form(&moving.g, &i.normal(&moving, &nu).n, &x).rate();
+        let n = i.normal(&base, &nu).n;
         let half_nn = S::Base::half() * form(&i.sigma0(), &n, &n);
         let turning = Vector::from_fn(|k, _| S::new(nu[k], i.nu_rate[k]));
         vec![
@@ -98,7 +97,7 @@ impl Pointwise for P08 {
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, base, sigma) = (i.moving0(), i.still0(), i.sigma0());
         let nu = i.nu().map(|x| S::fixed(x.value));
-        let rate = Normal::new(&moving.inverse, &nu).n.map(S::rate);
+        let rate = i.normal(&moving, &nu).n.map(S::rate);
         let frame = i.frame();
         let (n, tau) = (frame.n0(), frame.tau0());
         let s_n = apply(&sigma, &n);

@@ -4,8 +4,8 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape};
 use crate::stage::fields::{Tangent, function, metric, test_function, value_only};
 use crate::stage::mesh::{FLAT, OnMesh, POINTS, QUADRATURE, everywhere, orders, times};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
-use regge_curvature::field::TensorField;
-use regge_curvature::functional::{Rules, a_h, b_h, distributional_curvature};
+use regge_curvature::field::{Evaluate, PointByPoint, TensorField};
+use regge_curvature::functional::{Rules, Three, a_h, b_h, distributional_curvature};
 use regge_curvature::interpolate::Canonical;
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, form, symmetric};
@@ -54,32 +54,34 @@ impl OnMesh for M18 {
         );
         let rules = at.rules(N);
         let v = test_function(&space, draw);
-        let b = b_h(&g, &field, &space, &rules).pair(&v);
-        let a = a_h(&g, &field, &space, &rules).pair(&v);
+        // L_X g has a formula over f64 alone.
+        let single = PointByPoint(&g);
+        let b = b_h(&single, &field, &space, &rules).pair(&v);
+        let a = a_h(&single, &field, &space, &rules).pair(&v);
         let r =
             distributional_curvature(&g, &target, &rules).pair(&field.apply(&space, &target, &v));
         let (flat, surface) = (at.degree == 0, N == 2);
         vec![
             Equation::new("Bianchi")
-                .left("Σ_T ∫⟨𝕊L_Xg,∇∇v⟩ω", b[0])
-                .left("−Σ_F ∫𝕊L_Xg(n,n)⟦∇_n v⟧ω_F", b[1])
-                .left("−Σ_T ∫⟨G,L_Xg⟩vω", -a[0])
+                .left("Σ_T ∫⟨𝕊L_Xg,∇∇v⟩ω", b.cells)
+                .left("−Σ_F ∫𝕊L_Xg(n,n)⟦∇_n v⟧ω_F", b.faces)
+                .left("−Σ_T ∫⟨G,L_Xg⟩vω", -a.cells)
                 .vanishes(
                     flat || surface,
                     "G = 0 when N = 2, or g is constant on cells",
                 )
-                .left("−Σ̊_F ∫⟨⟦II‾⟧,L_Xg⟩vω_F", -a[1])
+                .left("−Σ̊_F ∫⟨⟦II‾⟧,L_Xg⟩vω_F", -a.faces)
                 .vanishes(
                     flat || surface,
                     "II‾ = 0 when N = 2, or g is constant on cells",
                 )
-                .left("Σ̊_S ∫Θ Tr(L_Xg|_S)vω_S", -a[2])
+                .left("Σ̊_S ∫Θ Tr(L_Xg|_S)vω_S", -a.hinges)
                 .vanishes(surface, POINTS)
-                .right("−Σ_T ∫R (Xv) ω", -r[0])
+                .right("−Σ_T ∫R (Xv) ω", -r.cells)
                 .vanishes(flat, FLAT)
-                .right("−2Σ̊_F ∫⟦H⟧(Xv)ω_F", -r[1])
+                .right("−2Σ̊_F ∫⟦H⟧(Xv)ω_F", -r.faces)
                 .vanishes(flat, FLAT)
-                .right("−2Σ̊_S ∫Θ(Xv)ω_S", -r[2])
+                .right("−2Σ̊_S ∫Θ(Xv)ω_S", -r.hinges)
                 .vanishes(surface, "X = 0 at vertices"),
         ]
     }
@@ -95,7 +97,7 @@ fn image<const N: usize>(x: &Vector<Jet1<f64, N>, N>, lambda: &[Jet2<f64, N>]) -
     std::iter::once(first).chain(inner).collect()
 }
 
-impl<const N: usize> TensorField<f64, N> for PulledBack<N> {
+impl<const N: usize> Evaluate<f64, N> for PulledBack<N> {
     type Table = Vec<Vec<Jet2<f64, N>>>;
     type Local = (Vec<f64>, Vec<f64>);
 
@@ -112,12 +114,17 @@ impl<const N: usize> TensorField<f64, N> for PulledBack<N> {
         let x = Tangent::jets(&local.0, &table[q]);
         let there = Points::new(N + 1, image(&x, &table[q]));
         let g = &self.0.g;
-        let g: Mat<f64, N> = g.value(&local.1, &TensorField::<f64, N>::tabulate(g, &there), 0);
+        let g: Mat<f64, N> = g.value(&local.1, &Evaluate::<f64, N>::tabulate(g, &there), 0);
         let d = |m: usize| -> Vector<f64, N> {
             Vector::from_fn(|k, _| x[k].d[m] + f64::from(u8::from(k == m)))
         };
         symmetric(|m, n| value_only(form(&g, &d(m), &d(n))))
     }
+}
+
+impl<const N: usize> TensorField<N> for PulledBack<N> {
+    type Scalar = f64;
+    type Wide = f64;
 }
 
 /// The points with barycentric coordinates in ℕ/degree, and the factors of Bernstein's matrix there.
@@ -164,7 +171,7 @@ fn transformed<const N: usize>(
     space: &Lagrange<N>,
     v: &[f64],
     rules: &Rules,
-) -> [[f64; 3]; 2] {
+) -> [Three<f64>; 2] {
     let mesh = space.mesh();
     let degree = x.g.space().degree();
     let raised = ReggeSpace::new(mesh, 2 * degree + 2);
@@ -212,23 +219,23 @@ impl OnMesh for Invariance {
         let rules = at.rules(N);
         let before = distributional_curvature(&g, &space, &rules).pair(&v);
         let [after, unmoved] = transformed::<N>(Tangent { g, c }, &space, &v, &rules);
-        let one = |k: usize, name, flat: bool| {
+        let one = |name, of: fn(&Three<f64>) -> f64, flat: bool, still: bool| {
             Equation::new(name)
-                .left("of φ*g, v∘φ", after[k])
+                .left("of φ*g, v∘φ", of(&after))
                 .vanishes(flat, FLAT)
-                .right("of g, v", before[k])
+                .right("of g, v", of(&before))
                 .vanishes(flat, FLAT)
                 // Angles of size 2π cancel around hinges of size 1, and as much in R and ⟦H⟧ of φ*g.
                 .magnitude(1.0)
-                .forge("v for v∘φ", "of φ*g, v∘φ", unmoved[k])
+                .forge("v for v∘φ", "of φ*g, v∘φ", of(&unmoved))
                 .vacuous(flat, FLAT)
-                .vacuous(k == 2 && N == 2, "φ leaves vertices where they are")
+                .vacuous(still, "φ leaves vertices where they are")
         };
         let flat = at.degree == 0;
         vec![
-            one(0, "Σ_T ∫Rvω", flat),
-            one(1, "2Σ̊_F ∫⟦H⟧vω_F", flat),
-            one(2, "2Σ̊_S ∫Θvω_S", false),
+            one("Σ_T ∫Rvω", |sums| sums.cells, flat, false),
+            one("2Σ̊_F ∫⟦H⟧vω_F", |sums| sums.faces, flat, false),
+            one("2Σ̊_S ∫Θvω_S", |sums| sums.hinges, false, N == 2),
         ]
     }
 }

@@ -4,7 +4,7 @@ use crate::harness::{Draw, Equation, Excuses, Judgement, Method, Record, Setting
 use crate::stage::fields::{combination, flat};
 use crate::stage::mesh::{FLAT, OnMesh, Pair, Three};
 use crate::stage::reference::{FEW, NGSOLVE, case_of, cases};
-use regge_curvature::functional::{Rules, distributional_curvature};
+use regge_curvature::functional::distributional_curvature;
 use regge_curvature::quadrature::gauss_legendre;
 use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
@@ -83,7 +83,7 @@ impl OnMesh for FromFlat {
         let (mut b, mut a) = (vec![0.0; hats.len()], vec![0.0; hats.len()]);
         for (t, w) in nodes.into_iter().zip(weights) {
             let at_t = combination(1.0 - t, &flat, t, &g);
-            let pair = Pair::new(hats.clone(), at.order, at_t, sigma.clone());
+            let pair = Pair::new(at, hats.clone(), at_t, sigma.clone());
             add(&mut b, w, &pair.b());
             add(&mut a, -w, &pair.a());
         }

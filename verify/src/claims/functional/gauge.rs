@@ -3,8 +3,8 @@
 use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape};
 use crate::stage::fields::{Regge, function, metric, value_only};
 use crate::stage::mesh::{OnMesh, POINTS_IN_T, Pair, QUADRATURE, ROUNDING, Tested, values};
-use regge_curvature::field::TensorField;
-use regge_curvature::functional::{Rules, a_h, distributional_curvature};
+use regge_curvature::field::{Evaluate, TensorField};
+use regge_curvature::functional::{a_h, distributional_curvature};
 use regge_curvature::interpolate::Canonical;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, Vector, symmetric};
@@ -72,7 +72,7 @@ fn moved<const N: usize>(
     phi.iter().zip(u).map(|(x, u)| x + u * t).collect()
 }
 
-impl<const N: usize> TensorField<f64, N> for PullBack<N> {
+impl<const N: usize> Evaluate<f64, N> for PullBack<N> {
     type Table = Vec<Vec<Jet2<f64, N>>>;
     type Local = [Vec<Vector<f64, N>>; 2];
 
@@ -89,6 +89,11 @@ impl<const N: usize> TensorField<f64, N> for PullBack<N> {
         let [phi, psi] = local;
         symmetric(|m, n| value_only(0.5 * (d(phi, m).dot(&d(psi, n)) + d(psi, m).dot(&d(phi, n)))))
     }
+}
+
+impl<const N: usize> TensorField<N> for PullBack<N> {
+    type Scalar = f64;
+    type Wide = f64;
 }
 
 /// As a Regge function, which the field is for maps of degree s: the canonical interpolant changes nothing.
@@ -225,7 +230,7 @@ impl Straight {
         let g = PullBack::new(mesh, at.degree, phi.to_vec());
         let rate = PullBack::polarised(mesh, at.degree, phi.to_vec(), moved(u, 1.0, u));
         let [g, rate] = [g, rate].map(|field| as_regge(&regge, &field, at.degree));
-        let pair = Pair::new(space.clone(), at.order, g, rate);
+        let pair = Pair::new(at, space.clone(), g, rate);
         let (b, a) = (pair.b(), pair.a());
         [b.t, b.f, a.f, a.s]
     }

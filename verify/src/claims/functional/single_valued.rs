@@ -4,12 +4,12 @@ use crate::harness::{Draw, Equation, Ground, Judgement, Record, Setting, Timed};
 use crate::stage::fields::{Regge, Seen, both_sides, metric, variation};
 use crate::stage::mesh::{FaceTerms, HingeTerms, OnMesh, ROUNDING, at_points, torn};
 use crate::stage::point::{Instance, Over, Pointwise};
-use regge_curvature::field::TensorField;
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::Normal;
+use regge_curvature::density::{Corner, Normal};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::linalg::{Mat, Vector, inverse_and_det, symmetric};
 use regge_curvature::mesh::Mesh;
 use regge_curvature::quadrature::Rule;
+use regge_curvature::riemann::reverse_trace;
 use regge_curvature::scalar::Field;
 use regge_curvature::spaces::ReggeSpace;
 
@@ -17,7 +17,8 @@ use regge_curvature::spaces::ReggeSpace;
 pub struct D13;
 
 /// One side of a face: g, σ and what is made of them.
-struct Side<B: Ground, const N: usize> {
+struct Side<'f, B: Ground, const N: usize> {
+    formulas: &'f Formulas,
     inverse: Mat<B, N>,
     det: B,
     normal: Normal<B, N>,
@@ -25,12 +26,13 @@ struct Side<B: Ground, const N: usize> {
     s_nn: B,
 }
 
-impl<B: Ground, const N: usize> Side<B, N> {
-    fn new(g: &Mat<B, N>, sigma: &Mat<B, N>, nu: &Vector<B, N>) -> Self {
+impl<'f, B: Ground, const N: usize> Side<'f, B, N> {
+    fn new(formulas: &'f Formulas, g: &Mat<B, N>, sigma: &Mat<B, N>, nu: &Vector<B, N>) -> Self {
         let (inverse, det) = inverse_and_det(g);
-        let normal = Normal::new(&inverse, nu);
-        let s_nn = normal.normal_normal(&K::reverse_trace(g, &inverse, sigma));
+        let normal = Normal::new(formulas, &inverse, det, nu);
+        let s_nn = normal.normal_normal(&reverse_trace(formulas, g, &inverse, sigma));
         Self {
+            formulas,
             inverse,
             det,
             normal,
@@ -43,12 +45,8 @@ impl<B: Ground, const N: usize> Side<B, N> {
         self.normal.normal_normal(&self.sigma)
     }
 
-    fn omega_f(&self) -> B {
-        self.normal.length * self.det.sqrt()
-    }
-
     fn omega_s(&self, nu: [&Vector<B, N>; 2]) -> B {
-        Hinge::new(&self.inverse, nu).omega_s(self.det)
+        Corner::new(self.formulas, &self.inverse, self.det, nu).omega()
     }
 }
 
@@ -84,22 +82,19 @@ impl Pointwise for D13 {
             add(&g, small, &nu, &beta),
             add(&sigma, S::Base::one(), &nu, &i.nu_rate),
         );
-        let plus = Side::new(&g, &sigma, &nu);
-        let minus = Side::new(&g_m, &sigma_m, &-nu);
+        let plus = Side::new(&i.formulas, &g, &sigma, &nu);
+        let minus = Side::new(&i.formulas, &g_m, &sigma_m, &-nu);
         // Continuity broken: a part that tangent vectors see.
         let broken_sigma = add(&sigma_m, S::Base::one(), &beta, &beta);
-        let broken = Side::new(
-            &add(&g_m, S::Base::one(), &beta, &beta),
-            &broken_sigma,
-            &-nu,
-        );
+        let broken_g = add(&g_m, S::Base::one(), &beta, &beta);
+        let broken = Side::new(&i.formulas, &broken_g, &broken_sigma, &-nu);
         across(&[plus, minus, broken], [&nu, &i.nu_bar], N == 2)
     }
 }
 
 /// The equations between the two sides; the third is the second with continuity broken.
 fn across<B: Ground, const N: usize>(
-    [plus, minus, broken]: &[Side<B, N>; 3],
+    [plus, minus, broken]: &[Side<'_, B, N>; 3],
     hinge: [&Vector<B, N>; 2],
     point: bool,
 ) -> Vec<Equation<B>> {
@@ -121,9 +116,9 @@ fn across<B: Ground, const N: usize>(
                 ],
             ),
         Equation::new("ω_F")
-            .left("ω_F⁺", plus.omega_f())
-            .right("ω_F⁻", minus.omega_f())
-            .forge(name, "ω_F⁻", broken.omega_f()),
+            .left("ω_F⁺", plus.normal.omega)
+            .right("ω_F⁻", minus.normal.omega)
+            .forge(name, "ω_F⁻", broken.normal.omega),
         Equation::new("ω_S")
             .left("ω_S⁺", plus.omega_s(hinge))
             .right("ω_S⁻", minus.omega_s(hinge))
@@ -136,31 +131,34 @@ fn across<B: Ground, const N: usize>(
 pub struct M20;
 
 /// 𝕊σ(n,n), −Tr(σ|_F), σ(n,n) and ω_F from both sides of the faces.
-fn on_faces<const N: usize, G: TensorField<f64, N>, H: TensorField<f64, N>>(
+fn on_faces<const N: usize>(
+    at: &Setting,
     mesh: &Mesh<N>,
-    g: &G,
-    sigma: &H,
-    rule: &Rule,
+    g: &Regge<f64, N>,
+    sigma: &Regge<f64, N>,
     which: fn(&FaceTerms) -> f64,
 ) -> [Vec<f64>; 2] {
-    let g = Seen::<f64, N, _>::new(g, N - 1, rule);
-    let sigma = Seen::<f64, N, _>::new(sigma, N - 1, rule);
-    both_sides(mesh, N - 1, rule, &|side, p| {
-        let terms = FaceTerms::new::<N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
-        vec![which(&terms)]
+    let rule = Rule::new(N - 1, at.order);
+    let g = Seen::<f64, N, _>::new(g, N - 1, &rule);
+    let sigma = Seen::<f64, N, _>::new(sigma, N - 1, &rule);
+    both_sides(mesh, N - 1, &rule, &|side, p| {
+        let (g, sigma) = (g.jet2(side, p), sigma.jet1(side, p));
+        vec![which(&FaceTerms::new::<N>(
+            &at.formulas,
+            &g,
+            &sigma,
+            side.place,
+        ))]
     })
 }
 
 /// ω_S from the first and the last cell around the hinges.
-fn on_hinges<const N: usize, G: TensorField<f64, N>>(
-    mesh: &Mesh<N>,
-    g: &G,
-    rule: &Rule,
-) -> [Vec<f64>; 2] {
-    let g = Seen::<f64, N, _>::new(g, N - 2, rule);
-    both_sides(mesh, N - 2, rule, &|side, p| {
+fn on_hinges<const N: usize>(at: &Setting, mesh: &Mesh<N>, g: &Regge<f64, N>) -> [Vec<f64>; 2] {
+    let rule = Rule::new(N - 2, at.order);
+    let g = Seen::<f64, N, _>::new(g, N - 2, &rule);
+    both_sides(mesh, N - 2, &rule, &|side, p| {
         let value = g.value(side, p);
-        vec![HingeTerms::<f64>::new::<N>(&value, &value, side.place).omega]
+        vec![HingeTerms::new::<N>(&at.formulas, &value, &value, side.place).omega]
     })
 }
 
@@ -186,25 +184,23 @@ impl OnMesh for M20 {
         let loose = ReggeSpace::new(&apart, at.degree);
         let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
         let (torn_g, torn_sigma) = (metric(&loose, draw), variation(&loose, draw));
-        let mut all = reversed_traces::<N>(&mesh, &g, &sigma, &torn_sigma, at.order);
-        all.extend(measures::<N>(&mesh, [&g, &torn_g], &sigma, at.order));
+        let mut all = reversed_traces::<N>(at, &mesh, &g, [&sigma, &torn_sigma]);
+        all.extend(measures::<N>(at, &mesh, [&g, &torn_g], &sigma));
         all
     }
 }
 
 /// 𝕊σ(n,n) from both sides; σ and a σ without continuity.
 fn reversed_traces<const N: usize>(
+    at: &Setting,
     mesh: &Mesh<N>,
     g: &Regge<f64, N>,
-    sigma: &Regge<f64, N>,
-    torn: &Regge<f64, N>,
-    order: usize,
+    [sigma, torn]: [&Regge<f64, N>; 2],
 ) -> Vec<Equation<f64>> {
-    let rule = Rule::new(N - 1, order);
-    let faces = |q| on_faces::<N, _, _>(mesh, g, sigma, &rule, q);
+    let faces = |q| on_faces(at, mesh, g, sigma, q);
     let [plus, minus] = faces(|q| q.s_nn);
     let [trace, _] = faces(|q| -q.trace);
-    let [_, broken] = on_faces::<N, _, _>(mesh, g, torn, &rule, |q| q.s_nn);
+    let [_, broken] = on_faces(at, mesh, g, torn, |q| q.s_nn);
     let plain = ["from T+", "from T−"].into_iter().zip(faces(|q| q.nn));
     vec![
         Equation::new("𝕊σ(n,n)")
@@ -220,15 +216,14 @@ fn reversed_traces<const N: usize>(
 
 /// ω_F and ω_S from both sides; g and a g without continuity.
 fn measures<const N: usize>(
+    at: &Setting,
     mesh: &Mesh<N>,
     [g, torn]: [&Regge<f64, N>; 2],
     sigma: &Regge<f64, N>,
-    order: usize,
 ) -> Vec<Equation<f64>> {
-    let (rule, hinge_rule) = (Rule::new(N - 1, order), Rule::new(N - 2, order));
-    let faces = |g| on_faces::<N, _, _>(mesh, g, sigma, &rule, |q| q.omega);
+    let faces = |g| on_faces(at, mesh, g, sigma, |q| q.omega);
     let ([plus, minus], [_, broken]) = (faces(g), faces(torn));
-    let hinges = |g| on_hinges::<N, _>(mesh, g, &hinge_rule);
+    let hinges = |g| on_hinges(at, mesh, g);
     let ([first, last], [_, broken_last]) = (hinges(g), hinges(torn));
     vec![
         Equation::new("ω_F")

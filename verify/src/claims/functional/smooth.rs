@@ -4,7 +4,7 @@ use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, 
 use crate::stage::fields::Patch;
 use crate::stage::mesh::{OnMesh, ROUNDING, values};
 use crate::stage::reference::{NGSOLVE, case_of, cases};
-use regge_curvature::functional::{Rules, a_h, distributional_curvature, smooth_curvature};
+use regge_curvature::functional::{a_h, distributional_curvature, smooth_curvature};
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::{Metric, Smooth};
 use regge_curvature::spaces::Lagrange;
@@ -41,7 +41,7 @@ impl OnMesh for D10 {
         let g = Smooth::new(&mesh, Patch::new(formula, draw)).expect("the mesh has coordinates");
         let sums = values(distributional_curvature(&g, &space, &rules));
         let a = values(a_h(&g, &g, &space, &rules));
-        let smooth = smooth_curvature(&g, &space, &rules.cells);
+        let smooth = smooth_curvature(&g, &space, &rules);
         let why = "g is smooth";
         vec![
             Equation::new("(Rω)_dist")

@@ -11,7 +11,6 @@ use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::{Metric, Smooth};
 use regge_curvature::quadrature::gauss_legendre;
 use regge_curvature::spaces::{Lagrange, ReggeSpace};
-use std::marker::PhantomData;
 
 /// A smooth metric g and one of its interpolants g_h.
 struct Ends<const N: usize> {
@@ -19,7 +18,6 @@ struct Ends<const N: usize> {
     g_h: Regge<f64, N>,
     space: Lagrange<N>,
     rules: Rules,
-    formulas: PhantomData<K>,
 }
 
 impl<const N: usize> Ends<N> {
@@ -34,7 +32,6 @@ impl<const N: usize> Ends<N> {
             g,
             space: Lagrange::new(&mesh, at.test),
             rules: at.rules(N),
-            formulas: PhantomData,
         }
     }
 
@@ -70,7 +67,7 @@ impl<const N: usize> Ends<N> {
     fn equation(&self, at: &Setting) -> Equation<f64> {
         let (space, rules) = (&self.space, &self.rules);
         let to = distributional_curvature(&self.g_h, space, rules).total();
-        let from = smooth_curvature(&self.g, space, &rules.cells);
+        let from = smooth_curvature(&self.g, space, rules);
         let [b, a] = self.integral(POINTS_IN_T);
         let mut equation = Equation::new("integral formula")
             .left("⟨(Rω)_dist(g_h),v⟩", self.inner(&to))
@@ -95,7 +92,7 @@ impl<const N: usize> Ends<N> {
         let sums = distributional_curvature(&moving, space, rules);
         let Three { t: cells, f, s } = Tested::Inner.of_sums(space, &rates(&sums));
         let [b, a] = self.forms(t);
-        let curvature = smooth_curvature(&self.g, space, &rules.cells);
+        let curvature = smooth_curvature(&self.g, space, rules);
         Equation::new("at one t")
             .left("d/dt Σ_T ∫Rvω", cells)
             .left("d/dt 2Σ̊_F ∫⟦H⟧vω_F", f)

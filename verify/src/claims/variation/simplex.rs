@@ -5,13 +5,15 @@ use crate::harness::{Equation, Judgement, Record, Setting, Shape, grid};
 use crate::stage::fields::{Regge, Seen, integral};
 use crate::stage::mesh::Where::Everywhere;
 use crate::stage::mesh::{
-    Clock, Evolution, FLAT, HalfTrace, HingeTerms, Moving, NO_G, NO_II, POINTS, QUADRATURE, minus,
-    on_one_simplex, orders, outward_of_face,
+    Evolution, FLAT, HingeTerms, Moving, NO_G, NO_II, POINTS, QUADRATURE, minus, on_one_simplex,
+    orders, outward_of_face,
 };
 use crate::stage::point::Face;
-use regge_curvature::functional::{Rules, Sums, smooth_curvature};
+use regge_curvature::formulas::Formulas;
+use regge_curvature::functional::{Sums, smooth_curvature};
 use regge_curvature::jet::Jet1;
 use regge_curvature::riemann::Connection;
+use regge_curvature::scalar::Number;
 use regge_curvature::simplex::multi_indices;
 use regge_curvature::spaces::Lagrange;
 
@@ -19,32 +21,33 @@ use regge_curvature::spaces::Lagrange;
 pub struct M17;
 
 /// 2Σ_F ∫Hvω_F over all faces of all cells.
-fn on_faces<T: Clock, const N: usize>(
+fn on_faces<T: Number, const N: usize>(
+    at: &Setting,
     g: &Regge<T, N>,
     space: &Lagrange<N>,
-    rules: &Rules,
 ) -> Vec<T> {
+    let rules = at.rules(N);
     let g = Seen::<T, N, _>::new(g, N - 1, &rules.faces);
     let mut faces = 0..space.mesh().count(N - 1);
     integral(space, N - 1, &rules.faces, &mut faces, &|_, side, p| {
         let connection = Connection::new(&g.jet1(side, p));
         let nu = outward_of_face::<T, N>(side.place).map(Jet1::constant);
-        let face = Face::new(&connection, &nu);
-        face.h * face.omega * T::from_f64(2.0)
+        Face::new(&at.formulas, &connection, &nu).density * T::from_f64(2.0)
     })
 }
 
 /// −2Σ_S ∫θvω_S over all hinges of all cells.
-fn on_hinges<T: Clock, const N: usize>(
+fn on_hinges<T: Number, const N: usize>(
+    at: &Setting,
     g: &Regge<T, N>,
     space: &Lagrange<N>,
-    rules: &Rules,
 ) -> Vec<T> {
+    let rules = at.rules(N);
     let g = Seen::<T, N, _>::new(g, N - 2, &rules.hinges);
     let mut hinges = 0..space.mesh().count(N - 2);
     integral(space, N - 2, &rules.hinges, &mut hinges, &|_, side, p| {
         let value = g.value(side, p);
-        let hinge = HingeTerms::<T>::new::<N>(&value, &value, side.place);
+        let hinge = HingeTerms::new::<N>(&at.formulas, &value, &value, side.place);
         hinge.theta * hinge.omega * T::from_f64(-2.0)
     })
 }
@@ -68,15 +71,15 @@ impl Evolution for M17 {
     }
 
     /// Production's own for R; its sums over interior faces and hinges are empty.
-    fn functional<T: Clock, const N: usize>(
+    fn functional<T: Number, const N: usize>(
+        at: &Setting,
         g: &Regge<T, N>,
         space: &Lagrange<N>,
-        rules: &Rules,
     ) -> Sums<T> {
         Sums {
-            cells: smooth_curvature(g, space, &rules.cells),
-            faces: on_faces::<T, N>(g, space, rules),
-            hinges: on_hinges::<T, N>(g, space, rules),
+            cells: smooth_curvature(g, space, &at.rules(N)),
+            faces: on_faces(at, g, space),
+            hinges: on_hinges(at, g, space),
         }
     }
 
@@ -148,12 +151,12 @@ impl Evolution for P04 {
             .collect()
     }
 
-    fn functional<T: Clock, const N: usize>(
+    fn functional<T: Number, const N: usize>(
+        at: &Setting,
         g: &Regge<T, N>,
         space: &Lagrange<N>,
-        rules: &Rules,
     ) -> Sums<T> {
-        let element = smooth_curvature(g, space, &rules.cells);
+        let element = smooth_curvature(g, space, &at.rules(N));
         let none = vec![T::zero(); element.len()];
         Sums {
             cells: element,
@@ -172,7 +175,11 @@ impl Evolution for P04 {
                 .right("−∫⟨G,σ⟩vω", g)
                 .vanishes(N == 2, NO_G)
         };
-        let (weakly, wrong) = (m.at.b().t, m.at.b::<HalfTrace>().t);
+        let half = Formulas {
+            reverse_trace_halves: 1,
+            ..m.at.formulas
+        };
+        let (weakly, wrong) = (m.at.b().t, m.at.b_by(half).t);
         let weak = variation("compact support", inner(rate), inner(&weakly), inner(&g));
         vec![
             variation("any v", rate.clone(), m.at.div_div(), g),

@@ -2,9 +2,10 @@
 
 use crate::harness::{Equation, Judgement, Record, Setting};
 use crate::stage::mesh::{
-    Evolution, FLAT, HalfTrace, InteriorFaces, Moving, NO_G, NO_II, POINTS, PlainSecondForm,
-    QUADRATURE, Tested, Three, everywhere, minus, times,
+    Evolution, FLAT, Moving, NO_G, NO_II, POINTS, QUADRATURE, Tested, Three, everywhere, minus,
+    times,
 };
+use regge_curvature::formulas::Formulas;
 use regge_curvature::spaces::Lagrange;
 
 /// What both sides of thm:distcurvdot are made of, for some test functions.
@@ -27,7 +28,7 @@ impl Evolution for M05 {
         title: "The first variation of the distributional scalar curvature",
         statement: r"\frac{d}{dt}\langle (R\omega)_{\rm dist}(g(t)), v\rangle = b_h(g;\sigma,v) - a_h(g;\sigma,v)
             \qquad \forall v \in V",
-        sides: "Left: the functional of def:distcurv (Ricci's formula, H, dihedral angles) of g + tσ. Right: b_h has second \
+        sides: "Left: the functional of def:distcurv (R from the lowered R_ijkl, H, dihedral angles) of g + tσ. Right: b_h has second \
             derivatives of v and none of σ, a_h has G, II‾ and Θ without a derivative in t. They agree in the limit of exact \
             quadrature, and no integral of one side is one of the other. Both use R, H and Θ, the left their change and the right their values, which D11 pins down.",
     };
@@ -39,11 +40,7 @@ impl Evolution for M05 {
 
     fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let (rate, b, a) = (m.rate.clone(), m.at.b(), m.at.a());
-        let wrong = Wrong {
-            b_f: m.at.b::<InteriorFaces>().f,
-            b_t: m.at.b::<HalfTrace>().t,
-            a_f: m.at.a::<PlainSecondForm>().f,
-        };
+        let wrong = Wrong::of(m);
         vec![wrong.forge(&Sides { rate, b, a }, &m.at.space, at)]
     }
 }
@@ -56,6 +53,27 @@ struct Wrong {
 }
 
 impl Wrong {
+    fn of<const N: usize>(m: &Moving<N>) -> Self {
+        let right = m.at.formulas;
+        let interior = Formulas {
+            b_on_boundary: false,
+            ..right
+        };
+        let half = Formulas {
+            reverse_trace_halves: 1,
+            ..right
+        };
+        let plain = Formulas {
+            trace_reversed: 0,
+            ..right
+        };
+        Self {
+            b_f: m.at.b_by(interior).f,
+            b_t: m.at.b_by(half).t,
+            a_f: m.at.a_by(plain).f,
+        }
+    }
+
     fn forge<const N: usize>(
         &self,
         all: &Sides,

@@ -4,6 +4,7 @@ use crate::harness::case::{Draw, Key, Setting};
 use crate::harness::equation::Equation;
 use crate::harness::judgement::Judgement;
 use crate::harness::tally::{Case, Tally};
+use regge_curvature::formulas::Formulas;
 
 /// Equations between integrals over meshes.
 #[derive(Clone, Copy, Debug)]

@@ -8,6 +8,7 @@ use crate::harness::scalar::Ground;
 use crate::harness::tally::{Case, Tally};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
+use regge_curvature::formulas::Formulas;
 
 /// Equations between things that are made of random numbers.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,6 @@
 
 use crate::harness::Draw;
 use num_dual::Dual64;
-use regge_curvature::scalar::{Lift, Real};
 use regge_curvature::simplex::{multi_indices, subsets};
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 
@@ -67,17 +66,6 @@ pub fn flat<const N: usize>(space: &ReggeSpace<N>) -> Regge<f64, N> {
 pub fn moving<const N: usize>(g: &Regge<f64, N>, sigma: &Regge<f64, N>) -> Regge<Dual64, N> {
     let pairs = g.coefficients().iter().zip(sigma.coefficients());
     function(g.space(), pairs.map(|(g, s)| Dual64::new(*g, *s)).collect())
-}
-
-/// A Regge function over f64 as one over another scalar.
-pub fn lifted<T: Real, const N: usize>(g: &Regge<f64, N>) -> Regge<T, N>
-where
-    f64: Lift<T>,
-{
-    function(
-        g.space(),
-        g.coefficients().iter().map(|c| c.lift()).collect(),
-    )
 }
 
 /// a g + b h, for two functions of one space.

@@ -1,6 +1,6 @@
 //! Fields as the cells around a simplex see them, and integrals of densities that are made of them.
 
-use regge_curvature::field::TensorField;
+use regge_curvature::field::Evaluate;
 use regge_curvature::functional::integrate;
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::Mat;
@@ -11,7 +11,7 @@ use regge_curvature::simplex::{Points, subsets};
 use regge_curvature::spaces::Lagrange;
 
 /// A field at the points of a rule on the k-simplices of a cell, by place.
-pub struct Seen<'a, T: Real, const N: usize, G: TensorField<T, N>> {
+pub struct Seen<'a, T: Real, const N: usize, G: Evaluate<T, N>> {
     field: &'a G,
     tables: Vec<G::Table>,
 }
@@ -22,7 +22,7 @@ pub fn points_of<const N: usize>(k: usize, rule: &Rule) -> Vec<Points> {
     on.iter().map(|on| rule.points().embed(on, N + 1)).collect()
 }
 
-impl<'a, T: Real, const N: usize, G: TensorField<T, N>> Seen<'a, T, N, G> {
+impl<'a, T: Real, const N: usize, G: Evaluate<T, N>> Seen<'a, T, N, G> {
     /// Prepares the points.
     pub fn new(field: &'a G, k: usize, rule: &Rule) -> Self {
         let points = points_of::<N>(k, rule);
@@ -51,7 +51,7 @@ impl<'a, T: Real, const N: usize, G: TensorField<T, N>> Seen<'a, T, N, G> {
     }
 }
 
-/// The library's [`integrate`], compiled once for each scalar and dimension and not for each density.
+/// The library's [`integrate`] against Lagrange's functions, compiled once for each scalar and dimension.
 pub fn integral<T: Real, const N: usize>(
     space: &Lagrange<N>,
     k: usize,

@@ -1,7 +1,7 @@
 //! Vector fields that are tangent to every subsimplex, and the Lie derivatives of metrics along them.
 
 use super::regge::Regge;
-use regge_curvature::field::TensorField;
+use regge_curvature::field::{Evaluate, TensorField};
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, symmetric};
 use regge_curvature::simplex::{JetTable, Points, barycentric_jets, multi_indices, subsets};
@@ -77,7 +77,7 @@ impl<const N: usize> Tangent<N> {
     }
 }
 
-impl<const N: usize> TensorField<f64, N> for Tangent<N> {
+impl<const N: usize> Evaluate<f64, N> for Tangent<N> {
     type Table = (Vec<Vec<Jet2<f64, N>>>, JetTable<f64, N>);
     type Local = (Vec<f64>, Vec<f64>);
 
@@ -85,12 +85,12 @@ impl<const N: usize> TensorField<f64, N> for Tangent<N> {
         let lambda = (0..points.len())
             .map(|q| barycentric_jets(points, q))
             .collect();
-        (lambda, TensorField::<f64, N>::tabulate(&self.g, points))
+        (lambda, Evaluate::<f64, N>::tabulate(&self.g, points))
     }
     fn on_cell(&self, cell: usize) -> Self::Local {
         (
             self.on_edges(cell),
-            TensorField::<f64, N>::on_cell(&self.g, cell),
+            Evaluate::<f64, N>::on_cell(&self.g, cell),
         )
     }
     /// (L_X g)_mn = Xᵏ∂_k g_mn + g_kn ∂_m Xᵏ + g_mk ∂_n Xᵏ.
@@ -106,4 +106,9 @@ impl<const N: usize> TensorField<f64, N> for Tangent<N> {
             value_only(sum)
         })
     }
+}
+
+impl<const N: usize> TensorField<N> for Tangent<N> {
+    type Scalar = f64;
+    type Wide = f64;
 }

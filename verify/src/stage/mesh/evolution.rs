@@ -11,21 +11,15 @@ use super::sums::{Three, rates, values};
 use crate::harness::{Catalogue, Draw, Equation, Judgement, Method, Record, Setting, Shape};
 use crate::stage::fields::{Regge, combination, metric, moving, test_function};
 use num_dual::Dual64;
-use regge_curvature::functional::{Rules, Sums, distributional_curvature};
+use regge_curvature::functional::{Sums, distributional_curvature};
 use regge_curvature::quadrature::gauss_legendre;
-use regge_curvature::scalar::{Lift, Real};
+use regge_curvature::scalar::Number;
 use regge_curvature::spaces::Lagrange;
 use std::marker::PhantomData;
 
 /// How many Gauss points in t. The metrics at the ends differ by a few per cent, in the thin cells of Alfeld's split by a
 /// few tenths as the cell sees it; the integrand is analytic in t far beyond [0, 1].
 pub const POINTS_IN_T: usize = 8;
-
-/// f64 and dual numbers.
-pub trait Clock: Real<Sum = Self> + Lift<Self> {}
-
-impl Clock for f64 {}
-impl Clock for Dual64 {}
 
 /// g, σ, and how much the functional's three sums change: their rates at t = 0, or their increases up to t = 1.
 pub struct Moving<const N: usize> {
@@ -62,12 +56,12 @@ pub trait Evolution: 'static {
     }
 
     /// F: by default the three sums of ⟨(Rω)_dist(g), v⟩.
-    fn functional<T: Clock, const N: usize>(
+    fn functional<T: Number, const N: usize>(
+        at: &Setting,
         g: &Regge<T, N>,
         space: &Lagrange<N>,
-        rules: &Rules,
     ) -> Sums<T> {
-        distributional_curvature(g, space, rules)
+        distributional_curvature(g, space, &at.rules(N))
     }
 
     /// The equations, linear in σ and in the rates.
@@ -82,7 +76,7 @@ pub fn add_evolution<C: Evolution, const N: usize>(all: &mut Catalogue) {
 }
 
 /// A functional of g, as data.
-type Functional<T, const N: usize> = fn(&Regge<T, N>, &Lagrange<N>, &Rules) -> Sums<T>;
+type Functional<T, const N: usize> = fn(&Setting, &Regge<T, N>, &Lagrange<N>) -> Sums<T>;
 
 /// The equations of a statement, as data.
 type Equations<const N: usize> = fn(&Setting, &Moving<N>) -> Vec<Equation<f64>>;
@@ -111,7 +105,7 @@ fn at_zero<const N: usize>(
     functional: Functional<Dual64, N>,
 ) -> Moving<N> {
     let pair = Pair::draw(at, draw);
-    let sums = functional(&moving(&pair.g, &pair.sigma), &pair.space, &pair.rules);
+    let sums = functional(at, &moving(&pair.g, &pair.sigma), &pair.space);
     Moving {
         rate: rates(&sums),
         v: test_function(&pair.space, draw),
@@ -152,8 +146,7 @@ impl<const N: usize> Path<N> {
     fn draw(at: &Setting, draw: &mut Draw, functional: Functional<f64, N>) -> Self {
         let (regge, space) = spaces(at);
         let ends = [metric(&regge, draw), metric(&regge, draw)];
-        let rules = at.rules(N);
-        let [from, to] = ends.each_ref().map(|g| functional(g, &space, &rules));
+        let [from, to] = ends.each_ref().map(|g| functional(at, g, &space));
         let (from, to) = (values(from), values(to));
         let minus = |x: Vec<f64>, y: Vec<f64>| x.iter().zip(&y).map(|(x, y)| x - y).collect();
         Self {
@@ -182,7 +175,7 @@ impl<const N: usize> Path<N> {
         let one = |t: f64| {
             let g = combination(1.0 - t, from, t, to);
             let moving = Moving {
-                at: Pair::new(self.space.clone(), at.order, g, sigma.clone()),
+                at: Pair::new(at, self.space.clone(), g, sigma.clone()),
                 rate: self.increase.clone(),
                 v: self.v.clone(),
             };

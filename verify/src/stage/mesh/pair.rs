@@ -4,12 +4,13 @@ use super::sums::{Three, values};
 use super::terms::{FaceTerms, HingeTerms, div_div, outward_of_face};
 use crate::harness::{Draw, Setting};
 use crate::stage::fields::{Regge, Seen, integral, metric, points_of, variation};
+use regge_curvature::density::{Normal, omega};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{Rules, a_h, b_h};
-use regge_curvature::hypersurface::Normal;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Vector, apply, contract, inverse_and_det};
 use regge_curvature::mesh::Side;
-use regge_curvature::riemann::Connection;
+use regge_curvature::riemann::{Connection, reverse_trace};
 use regge_curvature::simplex::Bernstein;
 use regge_curvature::spaces::{Lagrange, ReggeSpace};
 
@@ -23,6 +24,8 @@ pub struct Pair<const N: usize> {
     pub g: Regge<f64, N>,
     /// σ.
     pub sigma: Regge<f64, N>,
+    /// By which formulas the library computes.
+    pub formulas: Formulas,
 }
 
 /// The spaces of a case: Regge's and Lagrange's.
@@ -48,17 +51,17 @@ impl<const N: usize> Pair<N> {
     pub fn draw(at: &Setting, draw: &mut Draw) -> Self {
         let (regge, space) = spaces(at);
         let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
-        Self::new(space, at.order, g, sigma)
+        Self::new(at, space, g, sigma)
     }
 
-    /// This pair, with rules of one order.
-    pub fn new(space: Lagrange<N>, order: usize, g: Regge<f64, N>, sigma: Regge<f64, N>) -> Self {
-        let rules = Rules::new(N, order);
+    /// This pair, with rules of the case's order.
+    pub fn new(at: &Setting, space: Lagrange<N>, g: Regge<f64, N>, sigma: Regge<f64, N>) -> Self {
         Self {
             space,
-            rules,
+            rules: at.rules(N),
             g,
             sigma,
+            formulas: at.formulas,
         }
     }
 
@@ -69,14 +72,24 @@ impl<const N: usize> Pair<N> {
 
     /// b_h(g; σ, v).
     pub fn b(&self) -> Three {
-        let sums = b_h(&self.g, &self.sigma, &self.space, &self.rules);
-        values(sums)
+        self.b_by(self.formulas)
+    }
+
+    /// The same by other formulas: wrong, for forgeries.
+    pub fn b_by(&self, formulas: Formulas) -> Three {
+        let rules = self.rules.clone().with_formulas(formulas);
+        values(b_h(&self.g, &self.sigma, &self.space, &rules))
     }
 
     /// a_h(g; σ, v).
     pub fn a(&self) -> Three {
-        let sums = a_h(&self.g, &self.sigma, &self.space, &self.rules);
-        values(sums)
+        self.a_by(self.formulas)
+    }
+
+    /// The same by other formulas: wrong, for forgeries.
+    pub fn a_by(&self, formulas: Formulas) -> Three {
+        let rules = self.rules.clone().with_formulas(formulas);
+        values(a_h(&self.g, &self.sigma, &self.space, &rules))
     }
 
     /// Σ_T ∫ (div div 𝕊σ) v ω.
@@ -86,7 +99,7 @@ impl<const N: usize> Pair<N> {
         let sigma = Seen::<f64, N, _>::new(&self.sigma, N, rule);
         let mut cells = 0..self.space.mesh().cell_count();
         integral(&self.space, N, rule, &mut cells, &|_, side, p| {
-            div_div::<N>(&g.jet2(side, p), &sigma.jet2(side, p))
+            div_div::<N>(&self.formulas, &g.jet2(side, p), &sigma.jet2(side, p))
         })
     }
 
@@ -106,7 +119,8 @@ impl<const N: usize> Pair<N> {
         let sigma = Seen::<f64, N, _>::new(&self.sigma, N - 1, rule);
         let mut faces = self.chosen(N - 1, on);
         integral(&self.space, N - 1, rule, &mut faces, &|face, side, p| {
-            let terms = FaceTerms::new::<N>(&g.jet2(side, p), &sigma.jet1(side, p), side.place);
+            let (g, sigma) = (g.jet2(side, p), sigma.jet1(side, p));
+            let terms = FaceTerms::new::<N>(&self.formulas, &g, &sigma, side.place);
             let first = mesh.first_side(N - 1, face) == side;
             if first { q(&terms) } else { second * q(&terms) }
         })
@@ -120,7 +134,12 @@ impl<const N: usize> Pair<N> {
         let mut hinges = self.chosen(N - 2, on);
         integral(&self.space, N - 2, rule, &mut hinges, &|_, side, p| {
             let (g, sigma) = (g.value(side, p), sigma.value(side, p));
-            q(&HingeTerms::new::<N>(&g, &sigma, side.place))
+            q(&HingeTerms::new::<N>(
+                &self.formulas,
+                &g,
+                &sigma,
+                side.place,
+            ))
         })
     }
 
@@ -141,13 +160,14 @@ impl<const N: usize> Pair<N> {
             let table = basis.tabulate_jets::<f64, N>(points);
             let side = Side { cell: 0, place };
             for (q, w) in rule.weights().iter().enumerate() {
-                let (inverse, det) = inverse_and_det(&g.value(side, q));
-                let normal = Normal::new(&inverse, &outward_of_face(place));
-                let s = K::reverse_trace(&g.value(side, q), &inverse, &sigma.value(side, q));
+                let (g, sigma) = (g.value(side, q), sigma.value(side, q));
+                let (inverse, det) = inverse_and_det(&g);
+                let normal = Normal::new(&self.formulas, &inverse, det, &outward_of_face(place));
+                let s = reverse_trace(&self.formulas, &g, &inverse, &sigma);
                 // 𝕊σ(n, ·) raised.
                 let flux = apply(&inverse, &apply(&s, &normal.n));
-                let omega = normal.length * det.sqrt() * w;
-                self.against_gradients(&mut sum, &table[q], &flux.map(|x| x * omega));
+                let weight = normal.omega * w;
+                self.against_gradients(&mut sum, &table[q], &flux.map(|x| x * weight));
             }
         }
         sum
@@ -164,10 +184,10 @@ impl<const N: usize> Pair<N> {
         let mut sum = vec![0.0; self.space.len()];
         for (q, w) in rule.weights().iter().enumerate() {
             let around = Connection::new(&g.jet2(side, q));
-            let s = K::reverse_trace(&around.g, &around.inverse, &sigma.jet1(side, q));
+            let s = around.reverse_trace(&self.formulas, &sigma.jet1(side, q));
             let at = around.lower();
-            let omega = -at.det.sqrt() * w;
-            let flux = at.sharp(&at.div_tensor(&s)).map(|x| x * omega);
+            let weight = -omega(&self.formulas, at.det) * w;
+            let flux = at.sharp(&at.div_tensor(&s)).map(|x| x * weight);
             self.against_gradients(&mut sum, &table[q], &flux);
         }
         sum

@@ -1,20 +1,24 @@
 //! The densities of the variation at one point of a cell: what the three right sides of the paper's section 3.1 are
 //! made of, from covariant derivatives of σ.
 
-use crate::stage::point::{Face, divergence_terms, reversed};
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::outward;
+use crate::stage::point::{Face, divergence_terms};
+use regge_curvature::density::{Corner, omega, outward};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, contract, form, inverse_and_det};
-use regge_curvature::riemann::Connection;
+use regge_curvature::riemann::{Connection, reverse_trace};
 use regge_curvature::scalar::Real;
 use regge_curvature::simplex::subsets;
 
 /// (div div 𝕊σ) ω.
-pub fn div_div<const N: usize>(g: &Mat<Jet2<f64, N>, N>, sigma: &Mat<Jet2<f64, N>, N>) -> f64 {
-    let s_sigma = K::reverse_trace(g, &inverse_and_det(g).0, sigma);
+pub fn div_div<const N: usize>(
+    formulas: &Formulas,
+    g: &Mat<Jet2<f64, N>, N>,
+    sigma: &Mat<Jet2<f64, N>, N>,
+) -> f64 {
+    let s_sigma = reverse_trace(formulas, g, &inverse_and_det(g).0, sigma);
     let connection = Connection::new(g);
-    connection.div_div(&s_sigma) * connection.det.value.sqrt()
+    connection.div_div(&s_sigma) * omega(formulas, connection.det.value)
 }
 
 /// The vertices that a k-simplex of a cell at this place lacks: one for a face, two for a hinge.
@@ -56,6 +60,7 @@ pub struct FaceTerms {
 impl FaceTerms {
     /// On the face at this place of the cell.
     pub fn new<const N: usize>(
+        formulas: &Formulas,
         g: &Mat<Jet2<f64, N>, N>,
         sigma: &Mat<Jet1<f64, N>, N>,
         place: usize,
@@ -63,16 +68,16 @@ impl FaceTerms {
         let around = Connection::new(g);
         let at = around.lower();
         let nu = outward_of_face::<f64, N>(place).map(Jet1::constant);
-        let face = Face::new(&at, &nu);
-        let s_sigma = reversed::<f64, N>(&around, sigma);
-        let (value, n, omega) = (sigma.map(|x| x.value), &face.normal.n, face.omega);
+        let face = Face::new(formulas, &at, &nu);
+        let s_sigma = around.reverse_trace(formulas, sigma);
+        let (value, n, omega) = (sigma.map(|x| x.value), &face.normal.n, face.normal.omega);
         let s_value = s_sigma.map(|x| x.value);
         Self {
-            second_form: face.normal.inner(&face.trace_reversed(&at), &value) * omega,
+            second_form: face.normal.inner(&face.trace_reversed, &value) * omega,
             plain_second_form: face.normal.inner(&face.second_form, &value) * omega,
             div_s: contract(&at.div_tensor(&s_sigma), n) * omega,
             div: contract(&at.div_tensor(sigma), n) * omega,
-            div_f: divergence_terms(&around, &nu, sigma) * omega,
+            div_f: divergence_terms(formulas, &around, &nu, sigma) * omega,
             h_nn: face.h * form(&value, n, n) * omega,
             s_nn: form(&s_value, n, n) * omega,
             nn: form(&value, n, n) * omega,
@@ -102,20 +107,24 @@ pub struct HingeTerms<T> {
 
 impl<T: Real> HingeTerms<T> {
     /// On the hinge at this place of the cell.
-    pub fn new<const N: usize>(g: &Mat<T, N>, sigma: &Mat<T, N>, place: usize) -> Self {
+    pub fn new<const N: usize>(
+        formulas: &Formulas,
+        g: &Mat<T, N>,
+        sigma: &Mat<T, N>,
+        place: usize,
+    ) -> Self {
         let (inverse, det) = inverse_and_det(g);
         let nu: Vec<Vector<T, N>> = opposite::<N>(N - 2, place)
             .into_iter()
             .map(outward)
             .collect();
-        let hinge = Hinge::new(&inverse, [&nu[0], &nu[1]]);
-        let (sin, cos) = hinge.dihedral();
-        let omega = hinge.omega_s(det);
-        let side = |f: usize| form(sigma, &hinge.normal(f), &hinge.conormal(f));
+        let corner = Corner::new(formulas, &inverse, det, [&nu[0], &nu[1]]);
+        let omega = corner.omega();
+        let side = |f: usize| form(sigma, &corner.normal(f), &corner.conormal(f));
         Self {
-            theta: T::angle(sin, cos),
+            theta: corner.angle(),
             normal_conormal: (side(0) + side(1)) * omega,
-            trace: hinge.trace(&inverse, sigma),
+            trace: corner.trace(sigma),
             omega,
         }
     }

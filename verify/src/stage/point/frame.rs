@@ -2,7 +2,6 @@
 
 use super::instance::{Instance, still_jet};
 use crate::harness::Timed;
-use regge_curvature::hypersurface::Normal;
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, Vector, form};
 use regge_curvature::scalar::Algebraic;
@@ -56,7 +55,7 @@ impl<S: Timed, const N: usize> Instance<S, N> {
     pub fn frame(&self) -> Frame<S, N> {
         let moving = self.moving();
         let nu = self.nu().map(still_jet::<S, N>);
-        let normal = Normal::new(&moving.inverse, &nu);
+        let normal = self.normal(&moving, &nu);
         let mut vectors = vec![normal.n];
         vectors.extend(self.seeds.iter().copied());
         let tau = orthonormal(&moving.g, &vectors).split_off(1);

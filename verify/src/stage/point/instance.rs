@@ -2,11 +2,12 @@
 
 use super::draw::{self, Source, vary2};
 use crate::harness::Timed;
+use regge_curvature::density::{Corner, Normal};
 use regge_curvature::formulas::{Formulas, PAPER};
 use regge_curvature::jet::{Jet1, Jet2, lower};
 use regge_curvature::linalg::{Mat, Vector, contract};
 use regge_curvature::riemann::{Connection, differential};
-use regge_curvature::scalar::Field;
+use regge_curvature::scalar::{Algebraic, Field};
 
 /// All that a pointwise claim may need, at one point and time.
 #[derive(Clone, Debug)]
@@ -98,6 +99,20 @@ impl<S: Timed, const N: usize> Instance<S, N> {
     #[inline(never)]
     pub fn still0(&self) -> Connection<S::Base, N> {
         Connection::new(&lower(&self.g))
+    }
+
+    /// The unit normal and ω_F of a hypersurface with this covector.
+    pub fn normal<F: Algebraic>(&self, at: &Connection<F, N>, nu: &Vector<F, N>) -> Normal<F, N> {
+        Normal::new(&self.formulas, &at.inverse, at.det, nu)
+    }
+
+    /// The wedge between two hypersurfaces with these outward covectors.
+    pub fn corner<'c, F: Algebraic>(
+        &'c self,
+        at: &'c Connection<F, N>,
+        nu: [&Vector<F, N>; 2],
+    ) -> Corner<'c, F, N> {
+        Corner::new(&self.formulas, &at.inverse, at.det, nu)
     }
 
     /// A point of ℝ^N.

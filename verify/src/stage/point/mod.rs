@@ -12,4 +12,4 @@ mod scene;
 pub use claim::{Over, Pointwise, add};
 pub use frame::{Frame, orthonormal};
 pub use instance::{Instance, along, derivative, still_jet, sum};
-pub use scene::{Face, Scene, divergence_terms, mean_curvature_density, reversed};
+pub use scene::{Face, Scene, divergence_terms, mean_curvature_density};

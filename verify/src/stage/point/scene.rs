@@ -3,6 +3,7 @@
 use super::instance::{Instance, still_jet};
 use crate::harness::{Ground, Timed};
 use regge_curvature::density::{Normal, Side, surface_div};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form};
 use regge_curvature::riemann::Connection;
@@ -48,15 +49,6 @@ pub fn mean_curvature_density<S: Timed, const N: usize>(
     nu: &Vector<Jet1<S::Base, N>, N>,
 ) -> S {
     Face::<S, N>::new(&i.formulas, &i.moving0(), &nu.map(still_jet::<S, N>)).density
-}
-
-/// 𝕊σ with first derivatives.
-pub fn reversed<B: Ground, const N: usize>(
-    formulas: &Formulas,
-    still: &Connection<Jet1<B, N>, N>,
-    sigma: &Mat<Jet1<B, N>, N>,
-) -> Mat<Jet1<B, N>, N> {
-    still.reverse_trace(formulas, sigma)
 }
 
 /// div_F(σ(n,·)) with the normal n of the level sets of φ.
@@ -105,7 +97,7 @@ impl<B: Ground, const N: usize> Scene<B, N> {
         let base = still.lower();
         let face = Face::new(&i.formulas, &base, nu);
         let (sigma1, sigma) = (i.sigma1(), i.sigma0());
-        let div_s = base.div_tensor(&reversed(&i.formulas, &still, &sigma1));
+        let div_s = base.div_tensor(&still.reverse_trace(&i.formulas, &sigma1));
         Self {
             div_s_n: contract(&div_s, &face.normal.n),
             div_f: divergence_terms(&i.formulas, &still, nu, &sigma1),

@@ -5,14 +5,15 @@ use crate::exact::Fp;
 use crate::harness::{
     Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record,
 };
+use regge_curvature::formulas::Formulas;
 
 /// An identity between integrals of polynomials.
 pub trait ByParts: 'static {
     /// That of the claim.
     const RECORD: Record;
 
-    /// The equations between the integrals of the fields that these numbers make.
-    fn equations<const N: usize>(numbers: &[Fp]) -> Vec<Equation<Fp>>;
+    /// The equations between the integrals of the fields that these numbers make, the library computing by these formulas.
+    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>>;
 }
 
 /// Adds an identity in dimension N.

@@ -1,7 +1,7 @@
 //! Domains, polynomial fields on them, and their jets at points.
 
 use crate::exact::Fp;
-use regge_curvature::hypersurface::outward;
+use regge_curvature::density::outward;
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, apply, form, identity, inverse_and_det, symmetric};
 use regge_curvature::riemann::Connection;

@@ -2,14 +2,13 @@
 
 use super::fields::{Domain, Fields, Point};
 use crate::exact::{Fp, on_simplex};
-use crate::stage::point::{Face, reversed};
-use regge_curvature::hinge::Hinge;
-use regge_curvature::hypersurface::{Normal, outward, surface_div};
+use crate::stage::point::Face;
+use regge_curvature::density::{Corner, Normal, omega, outward, surface_div};
+use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::{Jet, Jet1, lower, lower_vector};
 use regge_curvature::linalg::{apply, contract, form};
-use regge_curvature::riemann::differential;
-use regge_curvature::scalar::{Algebraic, Field};
-use std::marker::PhantomData;
+use regge_curvature::riemann::{differential, reverse_trace};
+use regge_curvature::scalar::Field;
 
 /// What is integrated over a cell.
 struct OnCell {
@@ -40,26 +39,26 @@ pub struct OnFace {
 pub struct Exactly<const N: usize> {
     fields: Fields<N>,
     domain: Domain<N>,
-    formulas: PhantomData<K>,
+    formulas: Formulas,
 }
 
 impl<const N: usize> Exactly<N> {
     /// On one simplex.
-    pub fn on_single(numbers: &[Fp]) -> Self {
-        Self::new(numbers, Domain::single())
+    pub fn on_single(numbers: &[Fp], formulas: &Formulas) -> Self {
+        Self::new(numbers, formulas, Domain::single())
     }
 
     /// On a simplex cut at an inner point.
-    pub fn on_cut(numbers: &[Fp]) -> Self {
-        Self::new(numbers, Domain::cut())
+    pub fn on_cut(numbers: &[Fp], formulas: &Formulas) -> Self {
+        Self::new(numbers, formulas, Domain::cut())
     }
 
-    fn new(numbers: &[Fp], domain: Domain<N>) -> Self {
+    fn new(numbers: &[Fp], formulas: &Formulas, domain: Domain<N>) -> Self {
         let numbers = numbers.to_vec();
         Self {
             fields: Fields { numbers },
             domain,
-            formulas: PhantomData,
+            formulas: *formulas,
         }
     }
 
@@ -76,8 +75,8 @@ impl<const N: usize> Exactly<N> {
         let all: Vec<usize> = (0..=N).collect();
         let p = self.point(cell, &all, lambda);
         let base = p.still.lower();
-        let omega = base.det.sqrt();
-        let s_sigma = K::reverse_trace(&p.g, &p.inverse, &p.sigma);
+        let omega = omega(&self.formulas, base.det);
+        let s_sigma = reverse_trace(&self.formulas, &p.g, &p.inverse, &p.sigma);
         let flux = base.sharp(&base.div_tensor(&lower(&s_sigma)));
         let dv = lower_vector(&differential(&p.v));
         OnCell {
@@ -92,22 +91,23 @@ impl<const N: usize> Exactly<N> {
         let vertices: Vec<usize> = (0..=N).filter(|v| *v != opposite).collect();
         let p = self.point(cell, &vertices, lambda);
         let (base, nu) = (p.still.lower(), outward::<Jet1<Fp, N>, N>(opposite));
-        let face = Face::new(&base, &nu);
-        let (sigma, n) = (lower(&p.sigma), face.normal.n);
-        let s_sigma = reversed::<Fp, N>(&p.still, &sigma);
+        let face = Face::new(&self.formulas, &base, &nu);
+        let (sigma, n, omega) = (lower(&p.sigma), face.normal.n, face.normal.omega);
+        let s_sigma = p.still.reverse_trace(&self.formulas, &sigma);
         let s_value = lower(&s_sigma);
-        let flux = apply(&sigma, &Normal::new(&p.still.inverse, &nu).n);
+        let around = Normal::new(&self.formulas, &p.still.inverse, p.still.det, &nu);
+        let flux = apply(&sigma, &around.n);
         let v: Jet1<Fp, N> = p.v.lower();
         let dv = lower_vector(&differential(&p.v));
-        let div_f = |flux| surface_div(&base, &face.normal, flux) * face.omega;
+        let div_f = |flux| surface_div(&base, &face.normal, flux) * omega;
         OnFace {
-            div_s: contract(&base.div_tensor(&s_sigma), &n) * v.value * face.omega,
+            div_s: contract(&base.div_tensor(&s_sigma), &n) * v.value * omega,
             div_f: div_f(&flux) * v.value,
             div_f_v: div_f(&flux.map(|x| x * v)),
-            h_nn: face.h * face.normal.normal_normal(&lower(&sigma)) * v.value * face.omega,
+            h_nn: face.h * face.normal.normal_normal(&lower(&sigma)) * v.value * omega,
             s_nn: face.normal.normal_normal(&s_value),
-            along_n: contract(&dv, &n) * face.omega,
-            gradient: form(&s_value, &n, &base.sharp(&dv)) * face.omega,
+            along_n: contract(&dv, &n) * omega,
+            gradient: form(&s_value, &n, &base.sharp(&dv)) * omega,
         }
     }
 
@@ -116,9 +116,12 @@ impl<const N: usize> Exactly<N> {
         let vertices: Vec<usize> = (0..=N).filter(|v| !opposite.contains(v)).collect();
         let p = self.point(cell, &vertices, lambda);
         let nu = opposite.map(outward::<Fp, N>);
-        let hinge = Hinge::new(&p.inverse.map(|x| x.value), [&nu[0], &nu[1]]);
-        let (sigma, omega) = (lower(&lower(&p.sigma)), hinge.omega_s(p.still.det.value));
-        [0, 1].map(|f| form(&sigma, &hinge.normal(f), &hinge.conormal(f)) * omega * p.v.value)
+        let inverse = p.inverse.map(|x| x.value);
+        let det = p.still.det.value;
+        let corner = Corner::new(&self.formulas, &inverse, det, [&nu[0], &nu[1]]);
+        let sigma = lower(&lower(&p.sigma));
+        let weight = corner.omega() * p.v.value;
+        [0, 1].map(|f| form(&sigma, &corner.normal(f), &corner.conormal(f)) * weight)
     }
 
     /// ∫ of several densities over a cell, face or hinge. Points where one of them does not exist are avoided.
