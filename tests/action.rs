@@ -79,16 +79,17 @@ fn the_integrals_simplex_by_simplex_add_up() {
         distributional_curvature(&g, &each, &rules),
         boundary_curvature(&g, &each, &rules),
     );
-    for (pieces, whole) in [
-        (&inside.cells, &sums.cells),
-        (&inside.faces, &sums.faces),
-        (&inside.hinges, &sums.hinges),
-        (&bent.faces, &outer.faces),
-        (&bent.hinges, &outer.hinges),
+    // The one inner hinge of this mesh has a small defect, still far above rounding.
+    for (pieces, whole, least) in [
+        (&inside.cells, &sums.cells, 1e-3),
+        (&inside.faces, &sums.faces, 1e-3),
+        (&inside.hinges, &sums.hinges, 1e-8),
+        (&bent.faces, &outer.faces, 1e-3),
+        (&bent.hinges, &outer.hinges, 1e-3),
     ] {
         let [pieces, whole] = [pieces, whole].map(|list| list.iter().sum::<f64>());
         assert!((pieces - whole).abs() < ROUNDING, "{pieces} {whole}");
-        assert!(whole.abs() > 1e-3, "{whole}");
+        assert!(whole.abs() > least, "{whole}");
     }
     // A simplex has its own piece and no other's.
     for (codimension, own) in [&inside.cells, &inside.faces, &inside.hinges]

@@ -1,6 +1,6 @@
 //! Meshes, spaces, kernels and functionals, as one program: what is generic is compiled once for all of its files.
 //!
-//! `cargo test -p regge --test geometry exactness` runs one of them.
+//! `cargo test -p regge-curvature --test geometry exactness` runs one of them.
 
 mod action;
 mod common;
