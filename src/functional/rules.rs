@@ -63,6 +63,11 @@ impl Rules {
 
 /// Three sums over the simplices of a mesh, for every test function, signs and factors included.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Lists<T>")
+)]
 pub struct Sums<T> {
     /// Σ_T, by test function.
     pub cells: Vec<T>,
@@ -70,6 +75,40 @@ pub struct Sums<T> {
     pub faces: Vec<T>,
     /// Σ_S, by test function.
     pub hinges: Vec<T>,
+}
+
+/// Sums as they are read.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Lists<T> {
+    cells: Vec<T>,
+    faces: Vec<T>,
+    hinges: Vec<T>,
+}
+
+#[cfg(feature = "serde")]
+impl<T> TryFrom<Lists<T>> for Sums<T> {
+    type Error = crate::Error;
+
+    fn try_from(lists: Lists<T>) -> Result<Self, Self::Error> {
+        let Lists {
+            cells,
+            faces,
+            hinges,
+        } = lists;
+        let [one, two, three] = [cells.len(), faces.len(), hinges.len()];
+        if one != two || one != three {
+            return Err(crate::Error::Input(format!(
+                "sums over cells, faces and hinges for {one}, {two} and {three} test functions, not one number of them"
+            )));
+        }
+        Ok(Self {
+            cells,
+            faces,
+            hinges,
+        })
+    }
 }
 
 impl<T: Real> Sums<T> {
@@ -108,6 +147,7 @@ impl<T: Real> Sums<T> {
 
 /// The three sums for one test function.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Three<T> {
     /// Σ_T.
     pub cells: T,
