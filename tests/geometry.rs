@@ -5,14 +5,19 @@
 mod action;
 mod common;
 mod conventions;
+mod documents;
 mod exactness;
 mod field;
 mod lagrange;
 mod mesh;
 mod oracle;
+mod parts;
 mod pointwise;
+#[cfg(feature = "norms")]
+mod projection;
 mod quadrature;
 mod regge;
 mod regular;
 mod scalars;
 mod threads;
+mod tolerances;

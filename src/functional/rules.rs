@@ -123,9 +123,16 @@ impl<T: Real> Sums<T> {
 
     /// The whole functional, by test function.
     pub fn total(&self) -> Vec<T> {
-        (0..self.cells.len())
-            .map(|i| self.cells[i] + self.faces[i] + self.hinges[i])
-            .collect()
+        (0..self.cells.len()).map(|i| self.of(i).total()).collect()
+    }
+
+    /// The three sums for the test function v_i.
+    pub fn of(&self, i: usize) -> Three<T> {
+        Three {
+            cells: self.cells[i],
+            faces: self.faces[i],
+            hinges: self.hinges[i],
+        }
     }
 
     /// The three sums for v = Σ c_i v_i. With all c_i = 1, v = 1.

@@ -47,7 +47,7 @@ impl<C: Copy, const N: usize> TryFrom<Document<C, N>> for ReggeFunction<C, N> {
 fn dimension<const N: usize>(mesh: &Mesh<N>, degree: usize) -> f64 {
     let on_simplices = |k: usize| {
         let choose = |b: f64, i: usize| b * (degree as f64 + 1.0 - i as f64) / (i + 1) as f64;
-        let per_simplex = (0..k).fold(1.0, choose).max(0.0) * (k * (k + 1) / 2) as f64;
+        let per_simplex = (0..k).fold(1.0, choose) * (k * (k + 1) / 2) as f64;
         mesh.count(k) as f64 * per_simplex
     };
     (1..=N).map(on_simplices).sum()
