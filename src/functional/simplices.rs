@@ -13,6 +13,7 @@ use std::f64::consts::TAU;
 
 /// An interior hinge S with its defect and its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HingeDefect {
     /// Its number in the mesh.
     pub hinge: usize,

@@ -1,6 +1,8 @@
 //! Floor 5. Finite element spaces: Lagrange functions and Regge metrics of any degree in any dimension.
 
 mod basis;
+#[cfg(feature = "serde")]
+mod document;
 mod lagrange;
 mod regge;
 mod test;

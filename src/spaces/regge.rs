@@ -32,6 +32,14 @@ struct Tables<const N: usize> {
     slots: Vec<Vec<Slot>>,
 }
 
+/// Spaces are the same if they have one degree on one mesh.
+impl<const N: usize> PartialEq for ReggeSpace<N> {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.tables, &other.tables)
+            || (self.degree() == other.degree() && self.mesh() == other.mesh())
+    }
+}
+
 /// How many degrees of freedom of degree r belong to a k-simplex: C(r+1, k) k(k+1)/2. Paper: appendix.
 pub fn dofs_per_simplex(degree: usize, k: usize) -> usize {
     binomial(degree + 1, k) * k * (k + 1) / 2
@@ -178,7 +186,19 @@ pub(crate) fn slots_on(vertices: &[usize], n: usize, degree: usize) -> Vec<Vec<S
 }
 
 /// A Regge function: a single-valued piecewise polynomial symmetric tensor, by its coefficients.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        try_from = "super::document::Document<C, N>",
+        into = "super::document::Document<C, N>",
+        bound(
+            serialize = "C: Copy + serde::Serialize",
+            deserialize = "C: Copy + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct ReggeFunction<C, const N: usize> {
     space: ReggeSpace<N>,
     coefficients: Vec<C>,
