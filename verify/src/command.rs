@@ -58,6 +58,7 @@ impl Args {
             dimension: self.dimension.map(usize::from),
             seed: self.seed,
             quick: self.quick,
+            ..Options::default()
         };
         let report = with_bar(&options)?;
         if report.claims.is_empty() {
