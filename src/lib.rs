@@ -186,3 +186,14 @@ pub use spaces::{Lagrange, ReggeFunction, ReggeSpace};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The pages for those who add something, whose examples are compiled and run.
+#[cfg(doctest)]
+mod how_to {
+    #[doc = include_str!("../docs/how-to/interpolant.md")]
+    struct Interpolant;
+    #[doc = include_str!("../docs/how-to/norm.md")]
+    struct Norm;
+    #[doc = include_str!("../docs/how-to/functional.md")]
+    struct Functional;
+}
