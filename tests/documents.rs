@@ -149,7 +149,7 @@ fn what_is_no_function_is_refused() {
         json!(7),
         "version 7, and this library reads version 1",
     );
-    no("/mesh/cells/0/0", json!(3), "cell 0");
+    no("/mesh/cells/0/0", json!(3), "vertex 0: belongs to no cell");
     no(
         "/degree",
         json!(1),
