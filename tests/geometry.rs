@@ -6,6 +6,7 @@ mod action;
 mod common;
 mod conventions;
 mod documents;
+mod evaluation;
 mod exactness;
 mod field;
 mod interpolate;
