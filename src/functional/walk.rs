@@ -49,7 +49,8 @@ pub(super) trait Density<T: Real, const N: usize>: Sync {
     fn at_hinge(&self, at: &Self::Local, place: usize, block: usize, first: bool, out: &mut [T]);
 }
 
-/// Where the numbers of one codimension stand among all of a cell: by place, block and direction.
+/// Where the numbers of one codimension stand among all of a cell: by place, block and direction. What is the same at all points
+/// has one block.
 #[derive(Clone, Copy)]
 struct Part {
     start: usize,
@@ -84,7 +85,11 @@ impl<'a, D, const N: usize> Cells<'a, D, N> {
     where
         D: Density<T, N>,
     {
-        let blocks = [&rules.cells, &rules.faces, &rules.hinges].map(|r| r.points().blocks::<T>());
+        let mut blocks =
+            [&rules.cells, &rules.faces, &rules.hinges].map(|r| r.points().blocks::<T>());
+        if density.is_constant_on_hinges() {
+            blocks[2] = 1;
+        }
         let (present, places) = (density.sums(), [1, N + 1, N * (N + 1) / 2]);
         let mut start = 0;
         let parts = std::array::from_fn(|c| {
@@ -153,14 +158,6 @@ impl<T: Real, D: Density<T, N>, const N: usize> CellByCell<T> for Cells<'_, D, N
         if hinges.present && hinges.directions > 0 {
             self.each_place(2, cell, out, |place, hinge, chunk| {
                 let first = self.mesh.first_side(N - 2, hinge).cell == cell;
-                if density.is_constant_on_hinges() {
-                    let (one, others) = chunk.split_at_mut(hinges.directions);
-                    density.at_hinge(&at, place, 0, first, one);
-                    for other in others.chunks_exact_mut(hinges.directions) {
-                        other.copy_from_slice(one);
-                    }
-                    return;
-                }
                 for (block, chunk) in chunk.chunks_exact_mut(hinges.directions).enumerate() {
                     density.at_hinge(&at, place, block, first, chunk);
                 }
@@ -173,13 +170,13 @@ impl<T: Real, D: Density<T, N>, const N: usize> CellByCell<T> for Cells<'_, D, N
 struct Pairing<T> {
     /// How many functions live on a cell.
     len: usize,
-    /// By codimension.
-    traces: [Tables<T>; 3],
+    /// By codimension; None where the measure has no density.
+    traces: [Option<Tables<T>>; 3],
 }
 
 /// The traces on the simplices of one codimension.
 struct Tables<T> {
-    /// By block, then by polynomial: weight times value.
+    /// By block, then by polynomial: weight times value; summed up where one block stands for all.
     basis: Vec<Vec<T>>,
     /// By place, then by direction and polynomial: which function of the cell.
     numbers: Vec<Vec<usize>>,
@@ -190,12 +187,18 @@ impl<T: Real> Tables<T> {
         space: &dyn TestSpace<N, Value = V>,
         sites: &Sites,
         rule: &crate::quadrature::Rule,
+        part: &Part,
     ) -> Self {
         let traces: Vec<_> = sites.vertices.iter().map(|on| space.trace(on)).collect();
         let weights = weights::<T>(rule);
         let mut basis = traces[0].basis.tabulate::<T>(rule.points());
         for (row, weight) in basis.iter_mut().zip(weights) {
             row.iter_mut().for_each(|b| *b *= weight);
+        }
+        while basis.len() > part.blocks {
+            let last = basis.pop().expect("there is a block at least");
+            let first = basis[0].iter_mut();
+            first.zip(last).for_each(|(sum, b)| *sum += b);
         }
         Self {
             basis,
@@ -223,27 +226,32 @@ impl<T: Real> Pairing<T> {
         space: &dyn TestSpace<N, Value = V>,
         sites: &[Sites; 3],
         rules: &Rules,
+        parts: &[Part; 3],
     ) -> Self {
         let rules = [&rules.cells, &rules.faces, &rules.hinges];
+        let tables = |c: usize| Tables::new(space, &sites[c], rules[c], &parts[c]);
         Self {
             len: space.cell_len(),
-            traces: std::array::from_fn(|c| Tables::new(space, &sites[c], rules[c])),
+            traces: std::array::from_fn(|c| parts[c].present.then(|| tables(c))),
         }
     }
 
-    /// How long its row is.
+    /// How long its row is: an entry for each function in each of the sums that are there.
     fn width(&self) -> usize {
-        3 * self.len
+        self.len * self.traces.iter().flatten().count()
     }
 
     /// The three sums' entries for the functions of a cell.
     fn row(&self, parts: &[Part; 3], densities: &[T], acc: &mut Vec<T>, row: &mut [T::Sum]) {
         acc.clear();
         acc.resize(self.width(), T::zero());
-        for (c, acc) in acc.chunks_exact_mut(self.len).enumerate() {
-            if parts[c].present {
-                self.traces[c].add(&parts[c], densities, acc);
-            }
+        let present = self
+            .traces
+            .iter()
+            .zip(parts)
+            .filter_map(|(t, part)| Some((t.as_ref()?, part)));
+        for ((traces, part), acc) in present.zip(acc.chunks_exact_mut(self.len)) {
+            traces.add(part, densities, acc);
         }
         for (entry, sum) in row.iter_mut().zip(acc) {
             *entry = sum.reduce();
@@ -276,11 +284,10 @@ fn gather<T: Real, V: Value, const N: usize>(
     spaces: &[&dyn TestSpace<N, Value = V>],
     rules: &Rules,
 ) -> Vec<Sums<T::Sum>> {
-    let sites = all_sites(N, rules);
+    let (sites, parts) = (all_sites(N, rules), cells.parts());
     let pairings: Vec<Pairing<T>> = (spaces.iter())
-        .map(|space| Pairing::new(*space, &sites, rules))
+        .map(|space| Pairing::new(*space, &sites, rules, parts))
         .collect();
-    let parts = cells.parts();
     let room = || Room {
         densities: vec![T::zero(); parts.iter().map(Part::len).sum()],
         acc: Vec::new(),
@@ -295,8 +302,12 @@ fn gather<T: Real, V: Value, const N: usize>(
         }
     };
     let mut sums: Vec<Sums<T::Sum>> = spaces.iter().map(|s| Sums::zero(s.len())).collect();
-    let mut dofs = Vec::new();
     let width = pairings.iter().map(Pairing::width).sum();
+    if width == 0 {
+        // A measure without any density: R of what is constant.
+        return sums;
+    }
+    let mut dofs = Vec::new();
     let zero = T::Sum::zero();
     rows_in_order(count, width, zero, room, on_cell, |cell, mut row| {
         for ((space, pairing), sums) in spaces.iter().zip(&pairings).zip(&mut sums) {
@@ -305,19 +316,17 @@ fn gather<T: Real, V: Value, const N: usize>(
                 .expect("a row has all widths");
             dofs.clear();
             space.push_dofs(cell, &mut dofs);
-            add(sums, &dofs, own);
+            let lists = [&mut sums.cells, &mut sums.faces, &mut sums.hinges];
+            let present = lists
+                .into_iter()
+                .zip(parts)
+                .filter(|(_, part)| part.present);
+            for ((sum, _), own) in present.zip(own.chunks_exact(dofs.len())) {
+                for (&dof, value) in dofs.iter().zip(own) {
+                    sum[dof] += *value;
+                }
+            }
         }
     });
     sums
-}
-
-/// Adds a cell's row to the sums.
-fn add<S: Real>(sums: &mut Sums<S>, dofs: &[usize], row: &[S]) {
-    let (cells, rest) = row.split_at(dofs.len());
-    let (faces, hinges) = rest.split_at(dofs.len());
-    for (i, &dof) in dofs.iter().enumerate() {
-        sums.cells[dof] += cells[i];
-        sums.faces[dof] += faces[i];
-        sums.hinges[dof] += hinges[i];
-    }
 }
