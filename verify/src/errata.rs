@@ -1,6 +1,6 @@
 //! Floor 5 of the verification. The errata of the paper, with numbers computed here.
 //!
-//! [`page`] makes docs/errata.md; `verify/tests/errata.rs` keeps the committed page up to date.
+//! [`page`] makes docs/errata.md; `verify/tests/all/errata.rs` keeps the committed page up to date.
 
 use crate::claims::second_variation;
 use crate::harness::{Draw, Key};
@@ -116,7 +116,7 @@ fn scaling_section() -> Result<String, Error> {
         rows += &format!("| {k} | {value:.6} | {norm:.6} | {:.4} |\n", value / norm);
     }
     Ok(format!(
-        "{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-verify --test errata`\n"
+        "{SCALING}\n| k | ℓ(g) | ‖g‖_L²(T) | quotient |\n|---|---|---|---|\n{rows}\n`cargo test -p regge-verify errata`\n"
     ))
 }
 

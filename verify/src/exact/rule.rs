@@ -102,33 +102,3 @@ fn nodes(
     let nodes: Vec<Fp> = candidates.filter(|u| fits(*u)).take(count).collect();
     (nodes.len() == count).then_some(nodes)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use regge_curvature::scalar::Algebraic;
-
-    /// ∫ λ^α = α! / (|α| + k)! on the reference k-simplex (Dirichlet).
-    #[test]
-    fn it_integrates_monomials() {
-        let factorial = |n: i64| (1..=n).fold(Fp::one(), |p, i| p * Fp::from_int(i));
-        for alpha in [vec![3, 0], vec![2, 5], vec![1, 2, 3], vec![4, 0, 1, 2]] {
-            let (k, degree) = (alpha.len() - 1, alpha.iter().sum::<i64>());
-            let mut sum = Fp::zero();
-            on_simplex(
-                k,
-                degree as usize,
-                &|l| !Algebraic::sqrt(l[l.len() - 2]).is_poison(),
-                &mut |l, w| {
-                    let monomial = l
-                        .iter()
-                        .zip(&alpha)
-                        .fold(Fp::one(), |p, (l, a)| p * l.pow(*a as u64));
-                    sum += w * monomial;
-                },
-            );
-            let top = alpha.iter().fold(Fp::one(), |p, a| p * factorial(*a));
-            assert_eq!(sum, top / factorial(degree + k as i64), "{alpha:?}");
-        }
-    }
-}

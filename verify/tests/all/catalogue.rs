@@ -51,6 +51,7 @@ fn the_same_seed_gives_the_same_report_and_another_seed_another() {
             dimension: Some(3),
             seed,
             quick: true,
+            ..Options::default()
         };
         let report = run(&options, &|_| ()).unwrap_or_else(|e| panic!("{e}"));
         assert!(report.passed(), "{}", report.table());

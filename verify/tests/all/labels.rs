@@ -3,7 +3,7 @@
 use regge_verify::claims::records;
 use std::collections::{BTreeMap, BTreeSet};
 
-const LABELS: &str = include_str!("../../docs/verification/labels.toml");
+const LABELS: &str = include_str!("../../../docs/verification/labels.toml");
 const KINDS: [&str; 8] = [
     "claim",
     "definition",

@@ -1,33 +1,21 @@
 //! The claims on meshes.
 
-use crate::broken::{Broken, Fault, broken_claims, report};
-use regge_verify::claims::{Catalogue, on_meshes};
-
-fn claims(all: &mut Catalogue) {
-    on_meshes::<Broken, 3>(all);
-}
+use super::{broken, complaints, report};
+use regge_curvature::formulas::{Formulas, PAPER};
+use regge_verify::claims::on_meshes;
 
 /// All of these fail, and none of those.
-fn finds(fault: Fault, broken: &[&str], sound: &[&str]) {
-    let found = broken_claims(fault, claims, &[broken, sound].concat());
-    for label in broken {
-        assert!(
-            found.iter().any(|l| l == label),
-            "{label} holds; broken: {found:?}"
-        );
-    }
-    for label in sound {
-        assert!(
-            found.iter().all(|l| l != label),
-            "{label} fails; broken: {found:?}"
-        );
-    }
+fn finds(formulas: Formulas, failing: &[&str], sound: &[&str]) {
+    let only = [failing, sound].concat();
+    let found = broken(&report(on_meshes(), 3, formulas, &only));
+    let wrong = complaints(&found, failing, sound);
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
 fn nothing_fails_unbroken() {
     assert_eq!(
-        broken_claims(Fault::None, claims, &[]),
+        broken(&report(on_meshes(), 3, PAPER, &[])),
         Vec::<String>::new()
     );
 }
@@ -35,7 +23,10 @@ fn nothing_fails_unbroken() {
 #[test]
 fn a_wrong_sign_of_the_second_fundamental_form_is_found() {
     finds(
-        Fault::SignOfII,
+        Formulas {
+            second_form: -1,
+            ..PAPER
+        },
         &["D11", "M01", "M05", "M06", "M17", "T01"],
         // M16: −0 is 0.
         &["M02", "M14", "M16", "T03"],
@@ -45,7 +36,10 @@ fn a_wrong_sign_of_the_second_fundamental_form_is_found() {
 #[test]
 fn a_dihedral_angle_with_the_wrong_cosine_is_found() {
     finds(
-        Fault::PlusG,
+        Formulas {
+            dihedral_cos: -1,
+            ..PAPER
+        },
         &["D10", "D11", "M02", "M03", "M05", "M12", "M14"],
         &["M01", "M04", "T04"],
     );
@@ -53,13 +47,23 @@ fn a_dihedral_angle_with_the_wrong_cosine_is_found() {
 
 #[test]
 fn the_other_trace_reversal_is_found() {
-    finds(Fault::HalfS, &["M01", "M03", "M05", "M06"], &["M02", "M14"]);
+    finds(
+        Formulas {
+            reverse_trace_halves: 1,
+            ..PAPER
+        },
+        &["M01", "M03", "M05", "M06"],
+        &["M02", "M14"],
+    );
 }
 
 #[test]
 fn the_second_form_in_the_place_of_its_trace_reversal_is_found() {
     finds(
-        Fault::IIForIIBar,
+        Formulas {
+            trace_reversed: 0,
+            ..PAPER
+        },
         &["M01", "M05", "M17", "M19"],
         &["M02", "M04"],
     );
@@ -68,7 +72,7 @@ fn the_second_form_in_the_place_of_its_trace_reversal_is_found() {
 #[test]
 fn a_factor_dropped_from_the_hinge_sum_is_found() {
     finds(
-        Fault::OneHinge,
+        Formulas { hinges: 1, ..PAPER },
         &["D11", "M02", "M03", "M05", "M06", "M14"],
         &["M01", "M04", "M12"],
     );
@@ -77,7 +81,7 @@ fn a_factor_dropped_from_the_hinge_sum_is_found() {
 #[test]
 fn a_factor_dropped_from_the_face_sum_is_found() {
     finds(
-        Fault::OneFace,
+        Formulas { faces: 1, ..PAPER },
         &["D11", "M01", "M05", "M06"],
         &["M02", "M04", "M14"],
     );
@@ -86,7 +90,10 @@ fn a_factor_dropped_from_the_face_sum_is_found() {
 #[test]
 fn a_form_b_h_without_the_boundary_is_found() {
     finds(
-        Fault::InteriorFaces,
+        Formulas {
+            b_on_boundary: false,
+            ..PAPER
+        },
         &["M04", "M05", "T04", "M17"],
         &["M01", "M02", "M03"],
     );
@@ -94,7 +101,11 @@ fn a_form_b_h_without_the_boundary_is_found() {
 
 #[test]
 fn the_message_has_the_simplest_case_and_few_numbers() {
-    let report = report(Fault::SignOfII, claims, &["M05"]);
+    let formulas = Formulas {
+        second_form: -1,
+        ..PAPER
+    };
+    let report = report(on_meshes(), 3, formulas, &["M05"]);
     let failures = report.failures();
     let m05 = |method: &str| {
         let mut entries = failures.iter();

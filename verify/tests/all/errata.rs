@@ -1,4 +1,4 @@
-//! The errata are what the program computes. `REGGE_BLESS=1 cargo test -p regge-verify --test errata` writes the page.
+//! The errata are what the program computes. `REGGE_BLESS=1 cargo test -p regge-verify errata` writes the page.
 
 use regge_verify::errata::{conormal, page, scaling};
 

@@ -1,0 +1,10 @@
+//! All tests of the package in one program: they are small, and what takes time is to link the catalogue.
+
+mod catalogue;
+mod cli;
+mod coverage;
+mod errata;
+mod exact;
+mod how_to;
+mod labels;
+mod sabotage;
