@@ -1,8 +1,9 @@
 //! What single simplices have: the volume of cells, the angle defect and the size of hinges.
 
 use super::Rules;
+use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, all_sites, weights};
-use super::walk::{Density, Where, pair};
+use super::walk::pair;
 use crate::field::{Evaluate, TensorField};
 use crate::formulas::PAPER;
 use crate::mesh::Mesh;
