@@ -72,7 +72,7 @@ fn metric(name: &str, n: usize) -> String {
 /// The reference differentiates by differences: 1e-8 of the largest entry is what its README promises.
 #[test]
 fn the_oracles_are_met_through_files() {
-    let oracles = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle");
+    let oracles = concat!(env!("CARGO_MANIFEST_DIR"), "/../verify/oracle/cases");
     let folder = folder("oracles");
     let mut cases = 0;
     for entry in fs::read_dir(oracles).expect("the oracles") {
