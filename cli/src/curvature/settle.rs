@@ -154,3 +154,25 @@ fn settle<T: Settles>(
         change: last.is_finite().then_some(last),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No order is computed twice, and the last one is that of the value.
+    #[test]
+    fn each_order_is_computed_once() {
+        let mut orders = Vec::new();
+        let settled = settle(6, &mut |order| {
+            orders.push(order);
+            Ok([1.0 + 0.1f64.powi(order as i32)])
+        });
+        let settled = settled.expect("nothing fails");
+        assert!(
+            orders.windows(2).all(|pair| pair[0] < pair[1]),
+            "{orders:?}"
+        );
+        assert_eq!(settled.order, *orders.last().expect("one at least"));
+        assert!(settled.change.expect("several orders") <= SUMS_SETTLE);
+    }
+}

@@ -138,3 +138,92 @@ impl Settles for Evaluation {
         sums && self.load.as_ref().is_none_or(|load| all_finite(&[load]))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use regge_curvature::field::Evaluate;
+    use regge_curvature::jet::{Jet1, Jet2};
+    use regge_curvature::linalg::Mat;
+    use regge_curvature::norm::{Kind, Setting};
+    use regge_curvature::scalar::{Number, Real};
+    use regge_curvature::simplex::Points;
+    use regge_curvature::{Interpolant, Mesh, Metric, ReggeFunction, ReggeSpace, Smooth};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// A Regge function that counts how often it is asked for second derivatives, which R alone needs.
+    struct Counted {
+        g: ReggeFunction<f64, 2>,
+        asked: AtomicUsize,
+    }
+
+    impl<T: Real> Evaluate<T, 2> for Counted
+    where
+        f64: regge_curvature::scalar::Lift<T>,
+    {
+        type Table = <ReggeFunction<f64, 2> as Evaluate<T, 2>>::Table;
+        type Local = <ReggeFunction<f64, 2> as Evaluate<T, 2>>::Local;
+
+        fn tabulate(&self, points: &Points) -> Self::Table {
+            Evaluate::<T, 2>::tabulate(&self.g, points)
+        }
+
+        fn on_cell(&self, cell: usize) -> Self::Local {
+            Evaluate::<T, 2>::on_cell(&self.g, cell)
+        }
+
+        fn jet2(&self, at: &Self::Local, table: &Self::Table, block: usize) -> Mat<Jet2<T, 2>, 2> {
+            self.asked.fetch_add(1, Ordering::Relaxed);
+            self.g.jet2(at, table, block)
+        }
+
+        fn jet1(&self, at: &Self::Local, table: &Self::Table, block: usize) -> Mat<Jet1<T, 2>, 2> {
+            self.g.jet1(at, table, block)
+        }
+    }
+
+    impl TensorField<2> for Counted {
+        type Scalar = f64;
+        type Wide = <f64 as Number>::Wide;
+    }
+
+    /// Hat functions, those of another degree, simplices and a norm: R is evaluated once at each point for all of them.
+    #[test]
+    fn everything_is_paired_with_one_evaluation() {
+        let mesh = Mesh::<2>::cube(3).expect("a square");
+        let space = ReggeSpace::new(&mesh, 1);
+        let sphere = Smooth::new(&mesh, Metric::Sphere).expect("coordinates");
+        let g = Interpolant::canonical()
+            .apply(&space, &sphere)
+            .expect("a metric");
+        let norm = Kind::named("hm2").expect("a norm");
+        let norm = (norm.new)(&Setting::new(&mesh, 3)).expect("a norm");
+        let tests = Tests {
+            hats: Lagrange::new(&mesh, 1),
+            finer: Some(Lagrange::new(&mesh, 3)),
+            simplices: Some(Indicators::new(&mesh)),
+            norm: Some(&*norm),
+            boundary: true,
+        };
+        let (rules, none) = (Rules::on(&mesh, 8), vec![0.0; norm.space().len()]);
+        let counted = Counted {
+            g,
+            asked: AtomicUsize::new(0),
+        };
+        let all = tests.evaluate(&counted, &|_| none.clone(), &rules);
+        let blocks = rules.cells.points().blocks::<<f64 as Number>::Wide>();
+        let asked = counted.asked.load(Ordering::Relaxed);
+        assert_eq!(asked, mesh.cell_count() * blocks);
+        // They are of one functional: with v = 1 all of them give the same.
+        let whole = |sums: &Sums<f64>| sums.total().iter().sum::<f64>();
+        let one = whole(&all.hats.inner);
+        let finer = all.finer.expect("asked for");
+        for other in [
+            whole(&finer.inner),
+            whole(&all.simplices.expect("asked for")),
+            all.load.expect("asked for").iter().sum(),
+        ] {
+            assert!((other - one).abs() < 1e-11 * one.abs(), "{other} {one}");
+        }
+    }
+}
