@@ -1,6 +1,7 @@
 //! ∫ R(g) v ω of the smooth metric, where R(g) is stated by a formula.
 
 use rayon::prelude::*;
+use regge_curvature::density::Volume;
 use regge_curvature::field::Evaluate;
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::jet::Jet2;
@@ -28,7 +29,7 @@ pub fn stated_curvature<M: SmoothTensor<N>, const N: usize>(
         for (q, weight) in rule.weights().iter().enumerate() {
             let x = place(g, cell, rule.points().lambda(q));
             let (_, det) = inverse_and_det(&g.value(&local, &table, q));
-            let density = exact.at(&x) * det.sqrt() * weight;
+            let density = exact.at(&x) * Volume::from_det(det) * weight;
             for (dof, value) in space.cell_dofs(cell).zip(&basis[q]) {
                 load[dof] += density * value;
             }
