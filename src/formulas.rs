@@ -4,6 +4,14 @@
 //! [`Rules::with_formulas`](crate::functional::Rules::with_formulas) or to a density, and sees which claims of the
 //! verification fail: the code that is tested is the code that is used.
 
+use crate::scalar::Field;
+
+/// k x. What is multiplied by 1, as nearly everything is, costs no multiplication.
+#[inline]
+pub(crate) fn times<F: Field>(k: i64, x: F) -> F {
+    if k == 1 { x } else { x * F::from_int(k) }
+}
+
 /// The signs and factors of the formulas that the functionals are made of. All are as in [`PAPER`], unless somebody wants to see
 /// what a wrong one does.
 #[doc(hidden)]

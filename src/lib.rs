@@ -136,12 +136,13 @@
 //! | 4 | [`density`] |
 //! | 5 | [`metrics`], [`spaces`], [`interpolate`], `sparse` |
 //! | 6 | [`functional`] |
-//! | 7 | `norm`, `project` (feature `norms`) |
+//! | 7 | `norm`, `project` (feature `norms`), `parts` (feature `approx`) |
 //!
 //! # Features
 //! Without default features the crate is scalars to functionals on nalgebra and num-dual alone. `norms` adds the H⁻²
 //! norm, the projection R_h and their sparse solver, `parallel` threads (results do not depend on their number), `lanes` SIMD lanes as a
-//! scalar, `tabulated` quadrature rules with fewer points.
+//! scalar, `tabulated` quadrature rules with fewer points. Off by default: `approx` compares values part by part, derivatives
+//! too, and `serde` writes meshes, Regge functions and results down and reads them again.
 //!
 //! Lanes are as wide as the compiler's target allows, and the default for x86-64 is half of what nearly every machine has:
 //! build your program with `RUSTFLAGS="-C target-cpu=native"`. `scalar::Lanes::unused_width` tells whether that is missing.
@@ -159,6 +160,8 @@ pub mod metrics;
 #[cfg(feature = "norms")]
 pub mod norm;
 mod parallel;
+#[cfg(feature = "approx")]
+pub mod parts;
 #[cfg(feature = "norms")]
 pub mod project;
 pub mod quadrature;
@@ -183,3 +186,14 @@ pub use spaces::{Lagrange, ReggeFunction, ReggeSpace};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The pages for those who add something, whose examples are compiled and run.
+#[cfg(doctest)]
+mod how_to {
+    #[doc = include_str!("../docs/how-to/interpolant.md")]
+    struct Interpolant;
+    #[doc = include_str!("../docs/how-to/norm.md")]
+    struct Norm;
+    #[doc = include_str!("../docs/how-to/functional.md")]
+    struct Functional;
+}

@@ -5,6 +5,7 @@
 //! [`boundary_curvature`](crate::functional::boundary_curvature) all of the Lagrange space may be taken.
 
 use crate::Error;
+use crate::density::Volume;
 use crate::field::Evaluate;
 use crate::linalg::inverse_and_det;
 use crate::parallel::in_order;
@@ -107,7 +108,7 @@ fn mass<const N: usize, G: Evaluate<f64, N>>(
         let mut matrix = DMatrix::zeros(size, size);
         for (q, weight) in rule.weights().iter().enumerate() {
             let (_, det) = inverse_and_det(&g.value(&local, &table, q));
-            let scale = det.sqrt() * weight;
+            let scale = Volume::from_det(det) * weight;
             for j in 0..size {
                 for i in j..size {
                     matrix[(i, j)] += scale * basis[q][i] * basis[q][j];

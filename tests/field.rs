@@ -1,7 +1,7 @@
 //! Fields made of fields, and what tells a metric from a tensor that is none.
 
-use regge_curvature::field::{Combination, Evaluate};
-use regge_curvature::jet::Jet2;
+use regge_curvature::field::{Combination, Evaluate, PointByPoint};
+use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, indefinite_pivot, symmetric};
 use regge_curvature::simplex::Points;
 
@@ -67,6 +67,55 @@ fn constants_are_known_through_what_is_made_of_them() {
         assert_eq!(through, one);
         let sum = Combination::new(1.0, &a, 1.0, &b);
         assert_eq!(Evaluate::<f64, 2>::is_constant(&sum), one && other);
+    }
+}
+
+/// Point by point, and through a reference, a field is what it was in all the forms in which it may be asked.
+#[test]
+fn a_field_seen_otherwise_is_the_same() {
+    /// One that knows each form by itself, so that none can be derived from another.
+    struct Forms;
+    impl Evaluate<f64, 2> for Forms {
+        type Table = usize;
+        type Local = usize;
+
+        fn tabulate(&self, points: &Points) -> usize {
+            points.len()
+        }
+        fn on_cell(&self, cell: usize) -> usize {
+            cell
+        }
+        fn jet2(&self, cell: &usize, table: &usize, block: usize) -> Mat<Jet2<f64, 2>, 2> {
+            let value = (100 * cell + 10 * table + block) as f64;
+            symmetric(|_, _| Jet2::constant(value))
+        }
+        fn jet1(&self, cell: &usize, table: &usize, block: usize) -> Mat<Jet1<f64, 2>, 2> {
+            let value = (1000 + 100 * cell + 10 * table + block) as f64;
+            symmetric(|_, _| Jet1::constant(value))
+        }
+        fn value(&self, cell: &usize, table: &usize, block: usize) -> Mat<f64, 2> {
+            symmetric(|_, _| (2000 + 100 * cell + 10 * table + block) as f64)
+        }
+    }
+    fn forms<A: Evaluate<f64, 2>>(field: &A) -> [f64; 3] {
+        let points = Points::new(3, vec![1.0 / 3.0; 6]);
+        let (local, table) = (field.on_cell(7), field.tabulate(&points));
+        [
+            field.jet2(&local, &table, 1)[(0, 1)].value,
+            field.jet1(&local, &table, 1)[(0, 1)].value,
+            field.value(&local, &table, 1)[(0, 1)],
+        ]
+    }
+    let expected = [721.0, 1721.0, 2721.0];
+    assert_eq!(forms(&Forms), expected);
+    assert_eq!(forms(&&Forms), expected);
+    assert_eq!(forms(&PointByPoint(&Forms)), expected);
+    for constant in [true, false] {
+        let given = Given {
+            component: 1.0,
+            constant,
+        };
+        assert_eq!(PointByPoint(given).is_constant(), constant);
     }
 }
 

@@ -1,7 +1,10 @@
 //! Every case of tests/oracle (computed by an unrelated code, see its README): the three sums of def:distcurv.
 
+use approx::abs_diff_eq;
 use regge_curvature::field::Combination;
-use regge_curvature::functional::{Rules, a_h, b_h, distributional_curvature, smooth_curvature};
+use regge_curvature::functional::{
+    Rules, Three, a_h, b_h, distributional_curvature, smooth_curvature,
+};
 use regge_curvature::metrics::{Metric, Smooth};
 use regge_curvature::quadrature::gauss_legendre;
 use regge_curvature::spaces::Lagrange;
@@ -19,19 +22,17 @@ fn compare<const N: usize>(oracle: &Oracle) {
     let sums = distributional_curvature(&g, &hats, &Rules::new(N, 20));
     let scale = oracle.curvature.largest();
     for (i, &vertex) in oracle.curvature.vertex.iter().enumerate() {
-        let ours = [sums.cells[vertex], sums.faces[vertex], sums.hinges[vertex]];
-        let theirs = [
-            oracle.curvature.element[i],
-            oracle.curvature.face[i],
-            oracle.curvature.angle[i],
-        ];
-        for (ours, theirs) in ours.iter().zip(theirs) {
-            assert!(
-                (ours - theirs).abs() <= TOLERANCE * scale,
-                "{}: vertex {vertex}: {ours} against {theirs}",
-                oracle.name
-            );
-        }
+        let ours = sums.of(vertex);
+        let theirs = Three {
+            cells: oracle.curvature.element[i],
+            faces: oracle.curvature.face[i],
+            hinges: oracle.curvature.angle[i],
+        };
+        assert!(
+            abs_diff_eq!(ours, theirs, epsilon = TOLERANCE * scale),
+            "{}: vertex {vertex}: {ours:?} against {theirs:?}",
+            oracle.name
+        );
     }
 }
 

@@ -3,6 +3,7 @@
 //! N = 5 is the first dimension where N−2 and N/2 differ that is not the plane.
 
 use crate::common::dense;
+use approx::assert_relative_eq;
 use regge_curvature::field::{Evaluate, TensorField};
 use regge_curvature::functional::{
     HingeDefect, Rules, Three, action_gradient, action_hessian, angle_defects, boundary_curvature,
@@ -44,10 +45,7 @@ fn unit<const N: usize>(space: &ReggeSpace<N>) -> ReggeFunction<f64, N> {
 }
 
 fn near(a: f64, b: f64) {
-    assert!(
-        (a - b).abs() < ROUNDING * b.abs().max(1.0),
-        "{a} is not {b}"
-    );
+    assert_relative_eq!(a, b, epsilon = ROUNDING, max_relative = ROUNDING);
 }
 
 fn defects_and_total<const N: usize>() {
@@ -58,9 +56,12 @@ fn defects_and_total<const N: usize>() {
     let defects = angle_defects(&g, &mesh, 3);
     assert_eq!(defects.len(), mesh.count(N - 2));
     for (i, at) in defects.iter().enumerate() {
-        assert_eq!(at.hinge, i);
-        near(at.defect, theta);
-        near(at.size, volume);
+        let expected = HingeDefect {
+            hinge: i,
+            defect: theta,
+            size: volume,
+        };
+        assert_relative_eq!(*at, expected, epsilon = ROUNDING, max_relative = ROUNDING);
     }
     let sums = distributional_curvature(&g, &hats, &Rules::new(N, 3));
     let Three {
@@ -178,13 +179,8 @@ fn hinges_are_measured_by_their_first_cell() {
     let mesh = Mesh::<3>::simplex_boundary().expect("a sphere");
     let defects = angle_defects(&Misfit, &mesh, 1);
     assert_eq!(defects.len(), mesh.count(1));
-    for HingeDefect {
-        hinge,
-        defect,
-        size,
-    } in defects
-    {
-        near(size, mesh.first_side(1, hinge).cell as f64 + 1.0);
-        near(defect, Regular::<3>::defect());
+    for at in defects {
+        near(at.size, mesh.first_side(1, at.hinge).cell as f64 + 1.0);
+        near(at.defect, Regular::<3>::defect());
     }
 }

@@ -72,7 +72,7 @@ fn metric(name: &str, n: usize) -> String {
 /// The reference differentiates by differences: 1e-8 of the largest entry is what its README promises.
 #[test]
 fn the_oracles_are_met_through_files() {
-    let oracles = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle");
+    let oracles = concat!(env!("CARGO_MANIFEST_DIR"), "/../verify/oracle/cases");
     let folder = folder("oracles");
     let mut cases = 0;
     for entry in fs::read_dir(oracles).expect("the oracles") {
@@ -265,4 +265,40 @@ fn the_parts_of_the_report_fit_together() {
     let again = curvature(&folder, &format!("{command} r.toml"));
     let error = |value: &Value| value["hm2"]["error"].as_f64().expect("a number");
     assert!((error(&again) / error(&found) - 1.0).abs() < 1e-6);
+}
+
+/// With everything asked for, each thing is done once: one set-up of the norm, one solution, one projection.
+#[test]
+fn nothing_is_done_twice() {
+    use regge_cli::curvature::{Boundary, Request, Source, curvature};
+    let file = |name: &str| {
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../examples/files")
+            .join(name)
+    };
+    let mesh = regge_readers::mesh::read_mesh(&file("disc.msh")).expect("the example's mesh");
+    let metric = regge_readers::metric::read_metric(&file("sphere.toml")).expect("its metric");
+    let source = Source::Metric(Box::new(metric), regge_curvature::Interpolant::canonical());
+    let request = Request {
+        degree: 1,
+        quadrature: None,
+        test_degree: Some(2),
+        norm: Some("hm2"),
+        boundary: Boundary::GaussBonnet,
+        details: true,
+        fields: true,
+    };
+    let phases = std::cell::RefCell::new(Vec::new());
+    let report = curvature(&mesh, &source, &request, &|phase| {
+        phases.borrow_mut().push(phase)
+    });
+    let report = report.expect("a curvature");
+    let mut once = phases.borrow().clone();
+    once.sort_unstable();
+    once.dedup();
+    assert_eq!(once.len(), phases.borrow().len(), "{phases:?}");
+    // The norm's load is that of the order by which the sums settled.
+    let norm = report.norms.get("hm2").expect("asked for");
+    assert_eq!(norm.quadrature.order, report.about.quadrature.order);
+    assert_eq!(norm.quadrature.settled, Some(true));
 }

@@ -1,11 +1,11 @@
 //! The studies as a library: what rows hold, that quadrature is converged, that lanes are scalars.
 
 use crate::common::{assert_close, errors, rows, study};
+use regge_curvature::field::PointByPoint;
 use regge_curvature::functional::{Rules, distributional_curvature};
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
 use regge_curvature::metrics::Smooth;
-use regge_curvature::scalar::Lanes;
 use regge_curvature::spaces::Lagrange;
 use regge_curvature::spaces::ReggeSpace;
 use regge_study::printed::SERIES;
@@ -147,9 +147,9 @@ fn lanes_give_what_f64_gives() {
         .with_order(8)
         .apply(&space, &smooth)
         .expect("a metric");
-    let (test, rules) = (Lagrange::new(&mesh, 3), Rules::new::<3>(8));
-    let lanes = distributional_curvature::<Lanes, _, _>(&g, &test, &rules);
-    let plain = distributional_curvature::<f64, _, _>(&g, &test, &rules);
+    let (test, rules) = (Lagrange::new(&mesh, 3), Rules::on(&mesh, 8));
+    let lanes = distributional_curvature(&g, &test, &rules);
+    let plain = distributional_curvature(&PointByPoint(&g), &test, &rules);
     for (a, b) in [
         (lanes.cells, plain.cells),
         (lanes.faces, plain.faces),

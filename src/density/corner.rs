@@ -4,7 +4,7 @@
 //! products g^aa = ν_a·g⁻¹ν_a, g^ab, g^bb. The metric's derivatives do not enter.
 
 use super::Volume;
-use crate::formulas::Formulas;
+use crate::formulas::{Formulas, times};
 use crate::linalg::{Mat, Vector, apply, contract, form, vector};
 use crate::riemann::trace;
 use crate::scalar::{Algebraic, Field, Real};
@@ -52,7 +52,7 @@ impl<'c, F: Field, const N: usize> Corner<'c, F, N> {
     #[inline]
     pub fn trace(&self, sigma: &Mat<F, N>) -> F {
         let [a, b] = &self.raised;
-        let mixed = self.product * form(sigma, a, b) * F::from_int(self.formulas.trace_on_s);
+        let mixed = times(self.formulas.trace_on_s, self.product * form(sigma, a, b));
         let normal = self.squares[1] * form(sigma, a, a) + self.squares[0] * form(sigma, b, b);
         trace(self.inverse, sigma) - (normal - mixed - mixed) / self.gram
     }
@@ -65,15 +65,18 @@ impl<F: Algebraic, const N: usize> Corner<'_, F, N> {
     #[inline]
     pub fn dihedral(&self) -> (F, F) {
         (
-            Volume::from_det(self.gram) * F::from_int(self.formulas.dihedral_sin),
-            -self.product * F::from_int(self.formulas.dihedral_cos),
+            times(self.formulas.dihedral_sin, Volume::from_det(self.gram)),
+            times(self.formulas.dihedral_cos, -self.product),
         )
     }
 
     /// ω_S relative to the coordinate measure of {λ_a = λ_b = 0}: √(gram · det g). It is 1 when N = 2.
     #[inline]
     pub fn omega(&self) -> F {
-        Volume::from_det(self.gram * self.det) * F::from_int(self.formulas.omega_s)
+        times(
+            self.formulas.omega_s,
+            Volume::from_det(self.gram * self.det),
+        )
     }
 
     /// The outward unit normal of face 0 (a) or 1 (b).
@@ -90,8 +93,11 @@ impl<F: Algebraic, const N: usize> Corner<'_, F, N> {
     #[inline]
     pub fn conormal(&self, face: usize) -> Vector<F, N> {
         let (own, other) = (self.squares[face], 1 - face);
-        let slope = self.product / own * F::from_int(self.formulas.conormal_slope);
-        let scale = F::from_int(self.formulas.conormal) / Volume::length(self.gram / own);
+        let slope = times(self.formulas.conormal_slope, self.product / own);
+        let scale = times(
+            self.formulas.conormal,
+            F::one() / Volume::length(self.gram / own),
+        );
         vector(|i| (slope * self.raised[face][i] - self.raised[other][i]) * scale)
     }
 }

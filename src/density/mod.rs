@@ -16,7 +16,7 @@ mod side;
 pub use corner::Corner;
 pub use side::{Normal, Side, surface_div};
 
-use crate::formulas::Formulas;
+use crate::formulas::{Formulas, times};
 use crate::jet::Jet2;
 use crate::linalg::{Mat, Vector, vector};
 use crate::riemann::{Connection, Curvature};
@@ -66,7 +66,7 @@ impl<'c, F: Algebraic, const N: usize> Inside<'c, F, N> {
     /// R ω relative to the reference measure of the cell. Paper: def:distcurv.
     #[inline]
     pub fn scalar(&self) -> F {
-        let r = self.curvature.scalar() * F::from_int(self.formulas.scalar);
+        let r = times(self.formulas.scalar, self.curvature.scalar());
         r * omega(self.formulas, self.connection.det)
     }
 
@@ -83,7 +83,7 @@ impl<'c, F: Algebraic, const N: usize> Inside<'c, F, N> {
 /// ω = √det g relative to the reference measure of the cell.
 #[inline]
 pub fn omega<F: Algebraic>(formulas: &Formulas, det: F) -> F {
-    Volume::from_det(det) * F::from_int(formulas.omega)
+    times(formulas.omega, Volume::from_det(det))
 }
 
 /// −dλ_f in reference coordinates, which points out of the cell across the face opposite to vertex f.

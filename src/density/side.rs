@@ -6,7 +6,7 @@
 //! P^ij = g^ij − nⁱnʲ of the inverse metric. n → −n with ν → −ν.
 
 use super::Volume;
-use crate::formulas::Formulas;
+use crate::formulas::{Formulas, times};
 use crate::jet::{Jet, lower_vector};
 use crate::linalg::{
     Mat, Vector, apply, contract, double_contract, form, matrix, symmetric, vector,
@@ -33,15 +33,15 @@ impl<F: Algebraic, const N: usize> Normal<F, N> {
     pub fn new(formulas: &Formulas, inverse: &Mat<F, N>, det: F, nu: &Vector<F, N>) -> Self {
         let raised = apply(inverse, nu);
         let square = contract(nu, &raised);
-        let length = Volume::length(square) * F::from_int(formulas.normal_length);
+        let length = times(formulas.normal_length, Volume::length(square));
         let scale = F::one() / length;
         let n = vector(|i| raised[i] * scale);
-        let projected = F::from_int(formulas.tangential);
+        let projected: Vector<F, N> = vector(|i| times(formulas.tangential, n[i]));
         Self {
             n,
             length,
-            tangential: symmetric(|i, j| inverse[(i, j)] - projected * n[i] * n[j]),
-            omega: Volume::from_det(square * det) * F::from_int(formulas.omega_f),
+            tangential: symmetric(|i, j| inverse[(i, j)] - projected[i] * n[j]),
+            omega: times(formulas.omega_f, Volume::from_det(square * det)),
         }
     }
 }
@@ -95,10 +95,11 @@ impl<'c, F: Algebraic, const N: usize> Side<'c, F, N> {
             connection.det,
             &lower_vector(nu),
         );
-        let scale = F::from_int(formulas.second_form) / normal.length;
+        // The same quotient as in n: it is computed once.
+        let scale = times(formulas.second_form, F::one() / normal.length);
         let mut second_form = connection.nabla_covector(nu);
         second_form.iter_mut().for_each(|x| *x *= scale);
-        let mean_curvature = normal.trace(&second_form) * F::from_int(formulas.mean_curvature);
+        let mean_curvature = times(formulas.mean_curvature, normal.trace(&second_form));
         Self {
             formulas,
             connection,
@@ -117,7 +118,7 @@ impl<'c, F: Algebraic, const N: usize> Side<'c, F, N> {
     /// II‾ = II − H g. Paper: prop:Homegadot.
     #[inline]
     pub fn trace_reversed(&self) -> Mat<F, N> {
-        let h = self.mean_curvature * F::from_int(self.formulas.trace_reversed);
+        let h = times(self.formulas.trace_reversed, self.mean_curvature);
         matrix(|i, j| self.second_form[(i, j)] - h * self.connection.g[(i, j)])
     }
 }

@@ -15,6 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Regge's action, by where it comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Action<T> {
     /// ½⟨(Rω)_dist(g), 1⟩: for degree 0 Σ̊_S Θ_S |S|.
     pub interior: T,
@@ -51,6 +52,7 @@ pub fn regge_action<const N: usize, G: TensorField<N>>(
 
 /// The derivatives of the action in the edge lengths.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ActionGradient {
     /// Σ_S Θ_S ∂|S|/∂ℓ by edge, with π − Σ_T θ_ST in place of Θ_S on the boundary: the whole derivative of the action.
     pub gradient: Vec<f64>,
@@ -95,6 +97,7 @@ pub fn action_gradient<const N: usize>(g: &ReggeFunction<f64, N>) -> Result<Acti
 
 /// A summand of an entry of the Hessian.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HessianEntry {
     /// The edge of the row.
     pub row: usize,

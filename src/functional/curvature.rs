@@ -1,7 +1,8 @@
 //! The distributional densitized scalar curvature, and what the boundary adds to it. Paper: def:distcurv.
 
+use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, all_sites};
-use super::walk::{Density, Where, pair};
+use super::walk::pair;
 use super::{Rules, Sums};
 use crate::field::{Evaluate, TensorField};
 use crate::scalar::Real;

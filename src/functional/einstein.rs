@@ -1,7 +1,8 @@
 //! The form a_h and the distributional Einstein tensor. Paper: thm:distcurvdot, def:distein.
 
+use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, Sites, all_sites};
-use super::walk::{Density, Where, pair};
+use super::walk::pair;
 use super::{Rules, Sums, Three};
 use crate::field::{Evaluate, TensorField};
 use crate::formulas::Formulas;

@@ -22,6 +22,8 @@ mod curvature;
 mod einstein;
 mod hessian;
 mod integrate;
+mod measure;
+mod pairing;
 mod rules;
 mod seen;
 mod simplices;

@@ -63,6 +63,11 @@ impl Rules {
 
 /// Three sums over the simplices of a mesh, for every test function, signs and factors included.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Lists<T>")
+)]
 pub struct Sums<T> {
     /// Σ_T, by test function.
     pub cells: Vec<T>,
@@ -70,6 +75,40 @@ pub struct Sums<T> {
     pub faces: Vec<T>,
     /// Σ_S, by test function.
     pub hinges: Vec<T>,
+}
+
+/// Sums as they are read.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Lists<T> {
+    cells: Vec<T>,
+    faces: Vec<T>,
+    hinges: Vec<T>,
+}
+
+#[cfg(feature = "serde")]
+impl<T> TryFrom<Lists<T>> for Sums<T> {
+    type Error = crate::Error;
+
+    fn try_from(lists: Lists<T>) -> Result<Self, Self::Error> {
+        let Lists {
+            cells,
+            faces,
+            hinges,
+        } = lists;
+        let [one, two, three] = [cells.len(), faces.len(), hinges.len()];
+        if one != two || one != three {
+            return Err(crate::Error::Input(format!(
+                "sums over cells, faces and hinges for {one}, {two} and {three} test functions, not one number of them"
+            )));
+        }
+        Ok(Self {
+            cells,
+            faces,
+            hinges,
+        })
+    }
 }
 
 impl<T: Real> Sums<T> {
@@ -84,9 +123,16 @@ impl<T: Real> Sums<T> {
 
     /// The whole functional, by test function.
     pub fn total(&self) -> Vec<T> {
-        (0..self.cells.len())
-            .map(|i| self.cells[i] + self.faces[i] + self.hinges[i])
-            .collect()
+        (0..self.cells.len()).map(|i| self.of(i).total()).collect()
+    }
+
+    /// The three sums for the test function v_i.
+    pub fn of(&self, i: usize) -> Three<T> {
+        Three {
+            cells: self.cells[i],
+            faces: self.faces[i],
+            hinges: self.hinges[i],
+        }
     }
 
     /// The three sums for v = Σ c_i v_i. With all c_i = 1, v = 1.
@@ -108,6 +154,7 @@ impl<T: Real> Sums<T> {
 
 /// The three sums for one test function.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Three<T> {
     /// Σ_T.
     pub cells: T,

@@ -1,8 +1,9 @@
 //! What single simplices have: the volume of cells, the angle defect and the size of hinges.
 
 use super::Rules;
+use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, all_sites, weights};
-use super::walk::{Density, Where, pair};
+use super::walk::pair;
 use crate::field::{Evaluate, TensorField};
 use crate::formulas::PAPER;
 use crate::mesh::Mesh;
@@ -13,6 +14,7 @@ use std::f64::consts::TAU;
 
 /// An interior hinge S with its defect and its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HingeDefect {
     /// Its number in the mesh.
     pub hinge: usize,

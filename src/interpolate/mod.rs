@@ -243,8 +243,3 @@ impl Interpolant {
         })
     }
 }
-
-/// The how-to page, whose example is compiled and run.
-#[cfg(doctest)]
-#[doc = include_str!("../../docs/how-to/interpolant.md")]
-struct HowTo;

@@ -5,11 +5,15 @@
 //! domain in ℝ^N, or cell by cell to a quotient of ℝ^N (a torus).
 
 mod check;
+#[cfg(feature = "serde")]
+mod document;
 mod generate;
 mod incidence;
 mod numbering;
 mod perturb;
 
+#[cfg(feature = "serde")]
+pub(crate) use document::Version;
 pub use numbering::{Numbering, Slot};
 pub use perturb::SplitMix64;
 
@@ -20,7 +24,7 @@ use incidence::Layer;
 use std::sync::Arc;
 
 /// Where the vertices are in ℝ^N.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 enum Chart<const N: usize> {
     /// Nowhere: an abstract manifold.
     Abstract,
@@ -41,9 +45,22 @@ struct Complex {
 ///
 /// A mesh is a handle: a clone shares the tables, so that spaces and functions own the mesh that they stand on.
 #[derive(Clone, Debug)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "document::Document", into = "document::Document")
+)]
 pub struct Mesh<const N: usize> {
     complex: Arc<Complex>,
     chart: Chart<N>,
+}
+
+/// Meshes are the same if they have the same cells in the same order, and the same coordinates.
+impl<const N: usize> PartialEq for Mesh<N> {
+    fn eq(&self, other: &Self) -> bool {
+        let (one, two) = (&self.complex, &other.complex);
+        (Arc::ptr_eq(one, two) || one.cells == two.cells) && self.chart == other.chart
+    }
 }
 
 /// A cell seen from one of its subsimplices.

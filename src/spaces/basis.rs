@@ -1,6 +1,7 @@
 //! One function of the basis, as a field of its own.
 
-use super::regge::{ReggeSpace, components_from_edges, from_chunks};
+use super::function::{components_from_edges, from_chunks};
+use super::regge::ReggeSpace;
 use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::Mat;

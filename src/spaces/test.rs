@@ -61,7 +61,7 @@ pub trait TestSpace<const N: usize>: Sync {
     fn cell_len(&self) -> usize;
     /// Appends the global numbers of the functions of a cell, in their local order.
     fn push_dofs(&self, cell: usize, dofs: &mut Vec<usize>);
-    /// The traces on the simplex with these local vertices of a cell.
+    /// The traces on the simplex with these local vertices of a cell. The polynomials are the same on all simplices of a dimension.
     fn trace(&self, vertices: &[usize]) -> Trace;
 }
 

@@ -103,7 +103,7 @@ For one random σ of degree 0 on the flat 3-torus of 162 tetrahedra, d²/dt²⟨
 | the last remark of section 3.2, τ as printed | {printed:.7} |
 | the same with τ = ν_F | {:.7} |
 
-`regge verify --only M02 --only M03 --only M04 --only M13`: the printed sign is a forgery there, and is caught.
+`regge-verify --only M02 --only M03 --only M04 --only M13`: the printed sign is a forgery there, and is caught.
 ",
         -printed
     )
@@ -221,7 +221,7 @@ const SMALL: &str = "\
 - The label Hdot is there twice, so that a reference to it means the second of two equations.
 - Three times ⟨(Rω)_dist(g), 1⟩ is paired in Σ', Σ; it is a functional on V.
 - Proof of normv: ‖∇_g∇_g v‖ is the norm of L²(Ω, g).
-- Proof of lemma:covdot, last lines: the ♯ is missing (`regge verify --only P06`).
+- Proof of lemma:covdot, last lines: the ♯ is missing (`regge-verify --only P06`).
 - Section 3.1 speaks of a right-handed frame n, τ_i; with outward n on both sides of F it cannot be so on both.
   Nothing depends on it.
 - F± and T± in the definition of Θ_S are two faces of one cell; elsewhere they are the two cells of one face.

@@ -1,11 +1,10 @@
 //! Regge's action and its gradient in the edge lengths.
 
-use super::given::{Given, Phase, Source, Task, on_metric};
+use super::given::{Given, Phase, Source, by_dimension};
 use super::report::About;
-use super::settle::settle_sums;
+use super::settle::{exact_order, settle_sums};
 use super::{CurvatureError, failed};
-use regge_curvature::functional::{action_gradient, regge_action};
-use regge_curvature::scalar::Lanes;
+use regge_curvature::functional::{Rules, action_gradient, regge_action};
 use regge_readers::mesh::MeshFile;
 use serde::Serialize;
 
@@ -51,39 +50,37 @@ pub fn action(
     quadrature: Option<usize>,
     phase: Phase<'_>,
 ) -> Result<ActionReport, CurvatureError> {
-    on_metric(mesh, source, degree, phase, &Action { quadrature, phase })
+    by_dimension!(mesh, N => {
+        report(&Given::<N>::new(mesh, source, degree, phase)?, quadrature, phase)
+    })
 }
 
-struct Action<'a> {
+fn report<const N: usize>(
+    given: &Given<'_, N>,
     quadrature: Option<usize>,
-    phase: Phase<'a>,
-}
-
-impl Task for Action<'_> {
-    type Output = ActionReport;
-
-    fn run<const N: usize>(&self, given: &Given<'_, N>) -> Result<ActionReport, CurvatureError> {
-        (self.phase)("summing the action");
-        let (g_h, mesh) = (given.g_h, given.g_h.space().mesh());
-        let parts = settle_sums(g_h, self.quadrature, 1, |rules| {
-            regge_action::<Lanes, N, _>(g_h, mesh, rules)
-        })?;
-        let [interior, boundary] = parts.value;
-        let mut report = ActionReport {
-            about: About::of(given, &parts),
-            action: interior + boundary,
-            interior,
-            boundary,
-            gradient: None,
-            largest: None,
-            schlaefli: None,
-        };
-        if report.about.degree == 0 {
-            (self.phase)("differentiating the action");
-            gradient(given, &mut report)?;
-        }
-        Ok(report)
+    phase: Phase<'_>,
+) -> Result<ActionReport, CurvatureError> {
+    phase("summing the action");
+    let (g_h, mesh) = (&given.g_h, given.g_h.space().mesh());
+    let parts = settle_sums(g_h, quadrature, exact_order(g_h, 1), &mut |order| {
+        let action = regge_action(g_h, mesh, &Rules::new(N, order));
+        Ok([action.interior, action.boundary])
+    })?;
+    let [interior, boundary] = parts.value;
+    let mut report = ActionReport {
+        about: About::of(given, &parts),
+        action: interior + boundary,
+        interior,
+        boundary,
+        gradient: None,
+        largest: None,
+        schlaefli: None,
+    };
+    if report.about.degree == 0 {
+        phase("differentiating the action");
+        gradient(given, &mut report)?;
     }
+    Ok(report)
 }
 
 /// Adds the gradient to the report.
@@ -92,7 +89,7 @@ fn gradient<const N: usize>(
     report: &mut ActionReport,
 ) -> Result<(), CurvatureError> {
     let mesh = given.g_h.space().mesh();
-    let all = action_gradient(given.g_h).map_err(failed)?;
+    let all = action_gradient(&given.g_h).map_err(failed)?;
     let edges: Vec<EdgeDerivative> = mesh
         .interior(1)
         .map(|edge| EdgeDerivative {

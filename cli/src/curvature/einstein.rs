@@ -1,11 +1,10 @@
 //! The distributional Einstein tensor against the Regge functions that vanish on the boundary.
 
 use super::CurvatureError;
-use super::given::{Given, Phase, Source, Task, on_metric};
+use super::given::{Given, Phase, Source, by_dimension};
 use super::report::{About, Parts};
-use super::settle::settle_sums;
-use regge_curvature::functional::{Sums, einstein_against};
-use regge_curvature::scalar::Lanes;
+use super::settle::{exact_order, settle_sums};
+use regge_curvature::functional::{Rules, Sums, einstein_against};
 use regge_readers::mesh::MeshFile;
 use serde::Serialize;
 
@@ -50,32 +49,29 @@ pub fn einstein(
             mesh.file.display()
         )));
     }
-    on_metric(mesh, source, degree, phase, &Einstein { quadrature, phase })
+    by_dimension!(mesh, N => {
+        report(&Given::<N>::new(mesh, source, degree, phase)?, quadrature, phase)
+    })
 }
 
-struct Einstein<'a> {
+fn report<const N: usize>(
+    given: &Given<'_, N>,
     quadrature: Option<usize>,
-    phase: Phase<'a>,
-}
-
-impl Task for Einstein<'_> {
-    type Output = EinsteinReport;
-
-    fn run<const N: usize>(&self, given: &Given<'_, N>) -> Result<EinsteinReport, CurvatureError> {
-        (self.phase)("testing the Einstein tensor");
-        let (g_h, space) = (given.g_h, given.g_h.space());
-        // Where the metric is constant, everything is constant on the hinges.
-        let sums = settle_sums(g_h, self.quadrature, 1, |rules| {
-            einstein_against::<Lanes, N, _>(g_h, space, rules)
-        })?;
-        let functions = functions(given, &sums.value);
-        let sizes = functions.iter().map(|f| f.sums.total.abs());
-        Ok(EinsteinReport {
-            about: About::of(given, &sums),
-            largest: sizes.fold(0.0, f64::max),
-            functions,
-        })
-    }
+    phase: Phase<'_>,
+) -> Result<EinsteinReport, CurvatureError> {
+    phase("testing the Einstein tensor");
+    let (g_h, space) = (&given.g_h, given.g_h.space());
+    // Where the metric is constant, everything is constant on the hinges.
+    let sums = settle_sums(g_h, quadrature, exact_order(g_h, 1), &mut |order| {
+        Ok(einstein_against(g_h, space, &Rules::new(N, order)))
+    })?;
+    let functions = functions(given, &sums.value);
+    let sizes = functions.iter().map(|f| f.sums.total.abs());
+    Ok(EinsteinReport {
+        about: About::of(given, &sums),
+        largest: sizes.fold(0.0, f64::max),
+        functions,
+    })
 }
 
 /// The functions whose simplex is not in the boundary.

@@ -1,85 +1,124 @@
 //! A Regge metric's sums, norm and local curvature, gathered in a report.
 
 use super::fields::fields;
-use super::given::{Given, Phase, Task};
-use super::norm::norm_error;
+use super::given::{Given, Phase};
+use super::norm::Norm;
 use super::report::{About, CurvatureReport, VertexSums};
-use super::settle::Settled;
-use super::simplices::{faces, hinges, is_tested, projected};
-use super::sums::{AllSums, sums};
+use super::settle::{Settled, exact_order, settle_sums};
+use super::simplices::{cells, faces, hinges, is_tested, projected};
+use super::smooth::check_formula;
+use super::sums::{AllSums, Evaluation, Tests};
 use super::{Boundary, CurvatureError, Request};
-use regge_curvature::functional::cell_curvatures;
+use regge_curvature::functional::Rules;
 use regge_curvature::quadrature::Rule;
-use regge_curvature::scalar::Lanes;
-use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{Indicators, Lagrange};
 
-/// The whole report.
-pub struct Curvature<'a> {
-    /// What is asked for.
-    pub request: &'a Request,
-    /// Is told what begins.
-    pub phase: Phase<'a>,
+/// The whole report. The curvature is evaluated once for each order of quadrature, whatever is asked for.
+pub fn report<const N: usize>(
+    given: &Given<'_, N>,
+    request: &Request,
+    phase: Phase<'_>,
+) -> Result<CurvatureReport, CurvatureError> {
+    let mesh = given.g_h.space().mesh();
+    let norm = match request.norm {
+        Some(name) => {
+            phase("setting up the norm");
+            Some((name, Norm::new(given, request.degree, name)?))
+        }
+        None => None,
+    };
+    let each = request.details || request.fields;
+    let finer = request.test_degree.filter(|q| each && *q > 1);
+    let tests = Tests {
+        hats: Lagrange::new(mesh, 1),
+        finer: finer.map(|q| Lagrange::new(mesh, q)),
+        simplices: each.then(|| Indicators::new(mesh)),
+        norm: norm.as_ref().map(|(_, norm)| &*norm.norm),
+        boundary: request.boundary == Boundary::GaussBonnet,
+    };
+    phase("summing the curvature");
+    let sums = evaluate(given, request, &tests, norm.as_ref().map(|(_, norm)| norm))?;
+    let mut report = head(given, request, &sums);
+    report.vertices = vertex_sums(&tests.hats, &sums.value.hats, request.boundary);
+    if let Some((name, norm)) = &norm {
+        phase("solving for the norm");
+        report.norms.insert(name, norm.of(&sums)?);
+    }
+    if each {
+        phase("projecting the curvature");
+        let (r_h, tested) = projected(given, &tests, &sums, request)?;
+        (report.r_h, report.test_functions) = (Some(r_h), tested);
+        phase("integrating simplex by simplex");
+        simplex_by_simplex(given, request, &tests, &sums, &mut report);
+    }
+    Ok(report)
 }
 
-impl Task for Curvature<'_> {
-    type Output = CurvatureReport;
+/// By the order asked for, or by rising ones.
+fn evaluate<const N: usize>(
+    given: &Given<'_, N>,
+    request: &Request,
+    tests: &Tests<'_, N>,
+    norm: Option<&Norm<'_, N>>,
+) -> Result<Settled<Evaluation>, CurvatureError> {
+    let smooth = |rules: &Rules| norm.map_or(Vec::new(), |norm| norm.smooth_load(rules));
+    // The curvature of the smooth metric is no polynomial.
+    let exact = exact_order(&given.g_h, tests.degree()).filter(|_| norm.is_none());
+    settle_sums(&given.g_h, request.quadrature, exact, &mut |order| {
+        let evaluation = tests.evaluate(&given.g_h, &smooth, &Rules::new(N, order));
+        let load = evaluation.load.iter().flatten();
+        if let (Some(norm), false) = (norm, load.copied().all(f64::is_finite)) {
+            check_formula(&norm.origin.metric, &Rule::new(N, order))?;
+        }
+        Ok(evaluation)
+    })
+}
 
-    fn run<const N: usize>(&self, given: &Given<'_, N>) -> Result<CurvatureReport, CurvatureError> {
-        let (request, mesh) = (self.request, given.g_h.space().mesh());
-        let hats = Lagrange::new(mesh, 1);
-        (self.phase)("summing the curvature");
-        let sums = sums(given.g_h, &hats, request.quadrature, request.boundary)?;
-        let mut report = self.head(given, &sums);
-        report.vertices = vertex_sums(&hats, &sums.value, request.boundary);
-        if let Some(name) = request.norm {
-            (self.phase)("solving for the norm");
-            report.norms.insert(name, norm_error(given, request, name)?);
-        }
-        if request.details || request.fields {
-            (self.phase)("projecting the curvature");
-            let (r_h, tested) = projected(given.g_h, &sums.value, request, sums.order)?;
-            (report.r_h, report.test_functions) = (Some(r_h), tested);
-        }
-        (self.phase)("integrating simplex by simplex");
-        let rule = Rule::new(N, sums.order);
-        let cells = || cell_curvatures::<Lanes, N, _>(given.g_h, mesh, &rule);
-        if request.details {
-            report.hinges = Some(hinges(given.g_h, &hats, sums.order));
-            report.faces = Some(faces(given.g_h, sums.order));
-            report.cells = Some(cells());
-        }
-        if request.fields {
-            report.fields = Some(fields(given, &report, &hats, &rule));
-        }
-        Ok(report)
+/// Adds what single simplices have.
+fn simplex_by_simplex<const N: usize>(
+    given: &Given<'_, N>,
+    request: &Request,
+    tests: &Tests<'_, N>,
+    sums: &Settled<Evaluation>,
+    report: &mut CurvatureReport,
+) {
+    let each = tests.simplices.as_ref().zip(sums.value.simplices.as_ref());
+    let (simplices, values) = each.expect("simplices are evaluated where they are asked for");
+    let cells = cells(simplices, values);
+    if request.fields {
+        let rules = Rules::new(N, sums.order);
+        report.fields = Some(fields(given, report, &rules, cells.clone()));
+    }
+    if request.details {
+        report.hinges = Some(hinges(&given.g_h, sums.order));
+        report.faces = Some(faces(given.g_h.space().mesh(), simplices, values));
+        report.cells = Some(cells);
     }
 }
 
-impl Curvature<'_> {
-    /// What is said of the whole.
-    fn head<const N: usize>(
-        &self,
-        given: &Given<'_, N>,
-        sums: &Settled<AllSums>,
-    ) -> CurvatureReport {
-        let mesh = given.g_h.space().mesh();
-        let total = sums.value.total().iter().sum();
-        let flat = 4.0 * std::f64::consts::PI * mesh.euler_characteristic() as f64;
-        let complete = mesh.is_closed() || self.request.boundary == Boundary::GaussBonnet;
-        CurvatureReport {
-            about: About::of(given, sums),
-            cell_count: mesh.cell_count(),
-            closed: mesh.is_closed(),
-            boundary: match self.request.boundary {
-                Boundary::None => "none",
-                Boundary::GaussBonnet => "gauss-bonnet",
-            },
-            total_curvature: total,
-            euler_characteristic: mesh.euler_characteristic(),
-            gauss_bonnet_residual: (N == 2 && complete).then_some(total - flat),
-            physical_groups: given.file.groups.clone(),
-            ..CurvatureReport::default()
-        }
+/// What is said of the whole.
+fn head<const N: usize>(
+    given: &Given<'_, N>,
+    request: &Request,
+    sums: &Settled<Evaluation>,
+) -> CurvatureReport {
+    let mesh = given.g_h.space().mesh();
+    let total = sums.value.hats.total().iter().sum();
+    let flat = 4.0 * std::f64::consts::PI * mesh.euler_characteristic() as f64;
+    let complete = mesh.is_closed() || request.boundary == Boundary::GaussBonnet;
+    CurvatureReport {
+        about: About::of(given, sums),
+        cell_count: mesh.cell_count(),
+        closed: mesh.is_closed(),
+        boundary: match request.boundary {
+            Boundary::None => "none",
+            Boundary::GaussBonnet => "gauss-bonnet",
+        },
+        total_curvature: total,
+        euler_characteristic: mesh.euler_characteristic(),
+        gauss_bonnet_residual: (N == 2 && complete).then_some(total - flat),
+        physical_groups: given.file.groups.clone(),
+        ..CurvatureReport::default()
     }
 }
 

@@ -1,33 +1,11 @@
 //! Mesh and curvature as lists of numbers for pictures and for ParaView.
 
 use super::CurvatureError;
+use super::drawn::{Field, Fields};
 use super::given::Given;
 use super::report::{CurvatureReport, VertexSums};
-use regge_curvature::functional::{angle_defects, cell_curvatures, cell_volumes};
-use regge_curvature::quadrature::Rule;
-use regge_curvature::scalar::Lanes;
-use regge_curvature::spaces::Lagrange;
+use regge_curvature::functional::{Rules, angle_defects, cell_volumes};
 use regge_readers::mesh::MeshFile;
-
-/// A list of numbers with a name.
-pub type Field = (&'static str, Vec<f64>);
-
-/// A mesh in the plane or in space with fields on its vertices and cells; NaN where a field is not defined.
-#[derive(Clone, Debug, Default)]
-pub struct Fields {
-    /// N: triangles or tetrahedra.
-    pub dimension: usize,
-    /// Three coordinates a vertex.
-    pub points: Vec<f64>,
-    /// N+1 vertices a cell.
-    pub cells: Vec<u32>,
-    /// On vertices.
-    pub on_points: Vec<Field>,
-    /// On cells.
-    pub on_cells: Vec<Field>,
-    /// The tag of the first physical group of each cell, 0 where there is none.
-    pub groups: Vec<i32>,
-}
 
 /// Refuses a mesh that has no place in space.
 pub fn check(file: &MeshFile) -> Result<(), CurvatureError> {
@@ -44,25 +22,21 @@ pub fn check(file: &MeshFile) -> Result<(), CurvatureError> {
     }
 }
 
-/// What there is to be seen.
+/// What there is to be seen, with ∫R of the cells.
 pub fn fields<const N: usize>(
     given: &Given<'_, N>,
     report: &CurvatureReport,
-    hats: &Lagrange<N>,
-    rule: &Rule,
+    rules: &Rules,
+    cells: Vec<f64>,
 ) -> Fields {
-    let (file, mesh) = (given.file, hats.mesh());
-    let volumes = cell_volumes::<Lanes, N, _>(given.g_h, mesh, rule);
-    let cells = match &report.cells {
-        Some(cells) => cells.clone(),
-        None => cell_curvatures::<Lanes, N, _>(given.g_h, mesh, rule),
-    };
+    let (file, mesh) = (given.file, given.g_h.space().mesh());
+    let volumes = cell_volumes(&given.g_h, mesh, rules);
     let mean = cells.iter().zip(&volumes).map(|(r, v)| r / v).collect();
     let mut on_points = on_vertices(report, file.vertices);
     if N == 2 {
         let mut theta = vec![f64::NAN; file.vertices];
-        for (vertex, defect, _) in angle_defects(given.g_h, hats, 1) {
-            theta[vertex] = defect;
+        for vertex in angle_defects(&given.g_h, mesh, 1) {
+            theta[vertex.hinge] = vertex.defect;
         }
         on_points.push(("Theta", theta));
     }

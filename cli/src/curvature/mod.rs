@@ -1,6 +1,7 @@
 //! From a mesh and a metric, or a mesh and edge lengths, to the distributional curvature.
 
 mod action;
+mod drawn;
 mod einstein;
 mod evaluate;
 mod fields;
@@ -13,15 +14,15 @@ mod smooth;
 mod sums;
 
 pub use action::{ActionReport, EdgeDerivative, action};
+pub use drawn::Fields;
 pub use einstein::{EinsteinReport, EinsteinSums, einstein};
-pub use fields::Fields;
 pub use given::{Phase, Source};
 pub use report::{
     About, CurvatureReport, FaceJump, HingeDefect, NormError, Parts, Projected, ProjectedCurvature,
     QuadratureUsed, TestSums, VertexSums,
 };
 
-use evaluate::Curvature;
+use given::{Given, by_dimension};
 use regge_readers::InputError;
 use regge_readers::mesh::MeshFile;
 use std::fmt;
@@ -100,11 +101,8 @@ pub fn curvature(
     if request.fields {
         fields::check(mesh)?;
     }
-    given::on_metric(
-        mesh,
-        source,
-        request.degree,
-        phase,
-        &Curvature { request, phase },
-    )
+    by_dimension!(mesh, N => {
+        let given = Given::<N>::new(mesh, source, request.degree, phase)?;
+        evaluate::report(&given, request, phase)
+    })
 }

@@ -2,70 +2,65 @@
 
 use super::given::{Given, Origin};
 use super::report::{NormError, QuadratureUsed};
-use super::settle::{NORM_SETTLES, Settled, relative_change, settle};
-use super::smooth::{check_formula, stated_curvature};
-use super::{CurvatureError, Request, failed, input};
-use regge_curvature::Error;
-use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
+use super::settle::{LOAD_SETTLES, SUMS_SETTLE, Settled};
+use super::smooth::stated_curvature;
+use super::sums::Evaluation;
+use super::{CurvatureError, failed};
+use regge_curvature::functional::{Rules, smooth_curvature};
 use regge_curvature::norm::{DualNorm, Kind, Setting, metric_values};
-use regge_curvature::quadrature::Rule;
-use regge_curvature::scalar::Lanes;
 
-/// The error against the smooth metric that was interpolated.
-pub fn norm_error<const N: usize>(
-    given: &Given<'_, N>,
-    request: &Request,
-    name: &str,
-) -> Result<NormError, CurvatureError> {
-    let Some(origin) = given.origin else {
-        let reason = "the error needs a smooth metric to compare with: give --metric";
-        return Err(CurvatureError::Input(reason.into()));
-    };
-    let kind = Kind::<N>::named(name).expect("--norm takes names of the table");
-    let (degree, metric) = ((kind.degree)(request.degree), metric_values(origin.0));
-    let setting = Setting::new(given.g_h.space().mesh(), degree).with_metric(&metric);
-    let norm = (kind.new)(&setting).map_err(failed)?;
-    let compute = |order| {
-        let load = load(given, origin, &*norm, order);
-        if load.iter().any(|f| !f.is_finite()) {
-            check_formula(origin.0, &Rule::new(N, order))?;
-        }
-        norm.of(&load, None).map(|norm| norm.total)
-    };
-    let settled = match request.quadrature {
-        Some(order) => compute(order).map(|error| Settled::given(error, order)),
-        None => settle(
-            Rules::default_order(request.degree),
-            NORM_SETTLES,
-            compute,
-            |a, b| relative_change([*a].iter(), [*b].iter()),
-        ),
-    };
-    let settled = settled.map_err(|error| match error {
-        Error::Cell { .. } => input(error),
-        error => failed(error),
-    })?;
-    Ok(NormError {
-        symbol: kind.symbol,
-        error: settled.value,
-        degree,
-        quadrature: QuadratureUsed::of(&settled, NORM_SETTLES),
-    })
+/// A norm of the table, set up for a Regge metric.
+pub struct Norm<'a, const N: usize> {
+    kind: &'static Kind<N>,
+    /// The norm.
+    pub norm: Box<dyn DualNorm<N>>,
+    /// The smooth metric that is compared with.
+    pub origin: &'a Origin<'a, N>,
+    degree: usize,
 }
 
-/// ⟨(Rω)_dist(g_h) − (Rω)(g), v⟩ for the test functions of the norm.
-fn load<const N: usize>(
-    given: &Given<'_, N>,
-    (g, exact): Origin<'_, N>,
-    norm: &dyn DualNorm<N>,
-    order: usize,
-) -> Vec<f64> {
-    let rules = Rules::new::<N>(order);
-    let sums = distributional_curvature::<Lanes, N, _>(given.g_h, norm.space(), &rules);
-    let smooth = match exact {
-        Some(exact) => stated_curvature(g, exact, norm.space(), &rules.cells),
-        None => smooth_curvature::<Lanes, N, _>(g, norm.space(), &rules.cells),
-    };
-    let pairs = sums.total().into_iter().zip(smooth);
-    pairs.map(|(ours, smooth)| ours - smooth).collect()
+impl<'a, const N: usize> Norm<'a, N> {
+    /// The norm of this name.
+    pub fn new(given: &'a Given<'a, N>, degree: usize, name: &str) -> Result<Self, CurvatureError> {
+        let Some(origin) = &given.origin else {
+            let reason = "the error needs a smooth metric to compare with: give --metric";
+            return Err(CurvatureError::Input(reason.into()));
+        };
+        let kind = Kind::<N>::named(name).expect("--norm takes names of the table");
+        let (degree, metric) = ((kind.degree)(degree), metric_values(&origin.metric));
+        let setting = Setting::new(given.g_h.space().mesh(), degree).with_metric(&metric);
+        Ok(Self {
+            kind,
+            norm: (kind.new)(&setting).map_err(failed)?,
+            origin,
+            degree,
+        })
+    }
+
+    /// ∫ R v ω of the smooth metric for the norm's test functions.
+    pub fn smooth_load(&self, rules: &Rules) -> Vec<f64> {
+        let (g, space) = (&self.origin.metric, self.norm.space());
+        match self.origin.scalar_curvature {
+            Some(exact) => stated_curvature(g, exact, space, &rules.cells),
+            None => smooth_curvature(g, space, rules),
+        }
+    }
+
+    /// The norm of what was evaluated.
+    pub fn of(&self, sums: &Settled<Evaluation>) -> Result<NormError, CurvatureError> {
+        let load = sums.value.load.as_ref();
+        let load = load.expect("a load is evaluated where there is a norm");
+        Ok(NormError {
+            symbol: self.kind.symbol,
+            error: self.norm.of(load, None).map_err(failed)?.total,
+            degree: self.degree,
+            quadrature: QuadratureUsed {
+                // The change of an evaluation is that of its load in units of what counts for sums.
+                change: sums
+                    .change
+                    .map(|change| change * LOAD_SETTLES / SUMS_SETTLE),
+                ..QuadratureUsed::of(sums, SUMS_SETTLE)
+            },
+        })
+    }
 }

@@ -1,6 +1,6 @@
 //! What `regge curvature` writes.
 
-use super::fields::Fields;
+use super::drawn::Fields;
 use super::given::Given;
 use super::settle::{SUMS_SETTLE, Settled};
 use regge_curvature::functional::Sums;

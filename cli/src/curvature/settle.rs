@@ -1,16 +1,16 @@
 //! The order of quadrature is raised until nothing changes.
 
-use super::{CurvatureError, failed};
+use super::{CurvatureError, failed, input};
 use regge_curvature::Error;
-use regge_curvature::field::TensorField;
 use regge_curvature::functional::{Rules, Sums};
 use regge_curvature::quadrature::Rule;
 use regge_curvature::spaces::ReggeFunction;
 
 /// By how much the sums may still change, relative to the largest.
 pub const SUMS_SETTLE: f64 = 1e-8;
-/// By how much the norm may still change, relative to itself.
-pub const NORM_SETTLES: f64 = 1e-7;
+/// By how much the load of a norm may still change, relative to its largest entry: the norm is about as accurate. A load is a
+/// small difference of sums, and settles less far than they do.
+pub const LOAD_SETTLES: f64 = 1e-7;
 /// The highest order that is tried.
 pub const LARGEST_ORDER: usize = 48;
 /// The order is raised by this much at a time.
@@ -47,22 +47,105 @@ impl<T> Settled<T> {
     }
 }
 
-/// Computes by rising orders from `first` on until `change` is at most `limit`, or the orders are exhausted.
+/// Numbers that settle together.
+pub trait Settles {
+    /// How much they differ from those before, relatively, as a multiple of what counts for sums.
+    fn change_since(&self, before: &Self) -> f64;
+    /// Are they all finite?
+    fn is_finite(&self) -> bool;
+}
+
+impl Settles for Sums<f64> {
+    fn change_since(&self, before: &Self) -> f64 {
+        relative_change(&lists(before), &lists(self))
+    }
+
+    fn is_finite(&self) -> bool {
+        all_finite(&lists(self))
+    }
+}
+
+impl<const M: usize> Settles for [f64; M] {
+    fn change_since(&self, before: &Self) -> f64 {
+        relative_change(&[before], &[self])
+    }
+
+    fn is_finite(&self) -> bool {
+        all_finite(&[self])
+    }
+}
+
+/// The three lists of sums.
+pub fn lists(sums: &Sums<f64>) -> [&[f64]; 3] {
+    [&sums.cells, &sums.faces, &sums.hinges]
+}
+
+/// Are all entries finite?
+pub fn all_finite(lists: &[&[f64]]) -> bool {
+    lists.iter().all(|list| list.iter().all(|x| x.is_finite()))
+}
+
+/// The largest difference of lists, relative to the largest entry of the second.
+pub fn relative_change(before: &[&[f64]], after: &[&[f64]]) -> f64 {
+    let (mut difference, mut scale) = (0.0f64, 0.0f64);
+    for (before, after) in before.iter().zip(after) {
+        for (a, b) in before.iter().zip(*after) {
+            difference = difference.max((a - b).abs());
+            scale = scale.max(b.abs());
+        }
+    }
+    // The scale of a flat metric is rounding: below 1e-5 it is held, so that changes of 1e-13 settle.
+    difference / scale.max(1e-5)
+}
+
+/// Sums by the order asked for, or by rising orders until they settle; at once by the order `exact`, where there is one.
 ///
 /// # Errors
-/// Those of `compute`.
-pub fn settle<T>(
+/// The metric is not positive definite where it was looked at, or a sum is not finite, and those of `compute`.
+pub fn settle_sums<const N: usize, T: Settles>(
+    g_h: &ReggeFunction<f64, N>,
+    quadrature: Option<usize>,
+    exact: Option<usize>,
+    compute: &mut dyn FnMut(usize) -> Result<T, Error>,
+) -> Result<Settled<T>, CurvatureError> {
+    let first = Rules::default_order(g_h.space().degree());
+    let settled = match (quadrature, exact) {
+        (Some(order), _) => compute(order).map(|value| Settled::given(value, order)),
+        (None, Some(exact)) => compute(exact).map(|value| Settled::exact(value, exact)),
+        (None, None) => settle(first, compute),
+    };
+    let settled = settled.map_err(|error| match error {
+        // A formula that is no metric in a cell.
+        Error::Cell { .. } => input(error),
+        error => failed(error),
+    })?;
+    let points = Rule::new(N, settled.order);
+    g_h.check_positive(points.points()).map_err(failed)?;
+    match settled.value.is_finite() {
+        true => Ok(settled),
+        false => Err(CurvatureError::Failed(
+            "a sum is not finite: the metric may be all but degenerate".into(),
+        )),
+    }
+}
+
+/// The order that is exact for functions of a degree: Θ_S ω_S of a constant metric is constant on hinges, so that what is
+/// integrated is the test function.
+pub fn exact_order<const N: usize>(g_h: &ReggeFunction<f64, N>, degree: usize) -> Option<usize> {
+    (g_h.space().degree() == 0).then_some(degree)
+}
+
+/// Computes by rising orders from `first` on until nothing changes, or the orders are exhausted.
+fn settle<T: Settles>(
     first: usize,
-    limit: f64,
-    mut compute: impl FnMut(usize) -> Result<T, Error>,
-    change: impl Fn(&T, &T) -> f64,
+    compute: &mut dyn FnMut(usize) -> Result<T, Error>,
 ) -> Result<Settled<T>, Error> {
     let mut value = compute(first)?;
     let (mut order, mut last) = (first, f64::INFINITY);
     // NaN never settles: it is for the caller to see.
-    while order + STEP <= LARGEST_ORDER && last > limit {
+    while order + STEP <= LARGEST_ORDER && last > SUMS_SETTLE {
         let next = compute(order + STEP)?;
-        last = change(&value, &next);
+        last = next.change_since(&value);
         (value, order) = (next, order + STEP);
     }
     Ok(Settled {
@@ -72,66 +155,24 @@ pub fn settle<T>(
     })
 }
 
-/// Numbers that settle together.
-pub trait Entries {
-    /// All of them.
-    fn entries(&self) -> impl Iterator<Item = &f64>;
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl Entries for Sums<f64> {
-    fn entries(&self) -> impl Iterator<Item = &f64> {
-        self.cells.iter().chain(&self.faces).chain(&self.hinges)
+    /// No order is computed twice, and the last one is that of the value.
+    #[test]
+    fn each_order_is_computed_once() {
+        let mut orders = Vec::new();
+        let settled = settle(6, &mut |order| {
+            orders.push(order);
+            Ok([1.0 + 0.1f64.powi(order as i32)])
+        });
+        let settled = settled.expect("nothing fails");
+        assert!(
+            orders.windows(2).all(|pair| pair[0] < pair[1]),
+            "{orders:?}"
+        );
+        assert_eq!(settled.order, *orders.last().expect("one at least"));
+        assert!(settled.change.expect("several orders") <= SUMS_SETTLE);
     }
-}
-
-impl<const M: usize> Entries for [f64; M] {
-    fn entries(&self) -> impl Iterator<Item = &f64> {
-        self.iter()
-    }
-}
-
-/// Sums over a Regge metric by the order asked for, or by one that is high enough: if the metric is constant in every
-/// cell, by the order `exact`.
-///
-/// # Errors
-/// The metric is not positive definite where it was looked at, or a sum is not finite.
-pub fn settle_sums<const N: usize, T: Entries>(
-    g_h: &ReggeFunction<f64, N>,
-    quadrature: Option<usize>,
-    exact: usize,
-    compute: impl Fn(&Rules) -> T,
-) -> Result<Settled<T>, CurvatureError> {
-    let compute = |order| compute(&Rules::new::<N>(order));
-    let settled = match (quadrature, TensorField::<f64, N>::is_constant(g_h)) {
-        (Some(order), _) => Settled::given(compute(order), order),
-        (None, true) => Settled::exact(compute(exact), exact),
-        (None, false) => {
-            let first = Rules::default_order(g_h.space().degree());
-            let change = |a: &T, b: &T| relative_change(a.entries(), b.entries());
-            settle(first, SUMS_SETTLE, |order| Ok(compute(order)), change).map_err(failed)?
-        }
-    };
-    let points = Rule::new(N, settled.order);
-    g_h.check_positive(points.points()).map_err(failed)?;
-    let finite = settled.value.entries().all(|x| x.is_finite());
-    match finite {
-        true => Ok(settled),
-        false => Err(CurvatureError::Failed(
-            "a sum is not finite: the metric may be all but degenerate".into(),
-        )),
-    }
-}
-
-/// The largest difference of two lists, relative to the largest entry of the second.
-pub fn relative_change<'a>(
-    before: impl Iterator<Item = &'a f64>,
-    after: impl Iterator<Item = &'a f64>,
-) -> f64 {
-    let (mut difference, mut scale) = (0.0f64, 0.0f64);
-    for (a, b) in before.zip(after) {
-        difference = difference.max((a - b).abs());
-        scale = scale.max(b.abs());
-    }
-    // The scale of a flat metric is rounding: below 1e-5 it is held, so that changes of 1e-13 settle.
-    difference / scale.max(1e-5)
 }

@@ -1,39 +1,44 @@
 //! The curvature simplex by simplex, and as a function: hinges, faces, test functions, R_h.
 
+use super::given::Given;
 use super::report::{FaceJump, HingeDefect, Projected, ProjectedCurvature, TestSums};
-use super::sums::{AllSums, sums};
+use super::settle::Settled;
+use super::sums::{AllSums, Evaluation, Tests};
 use super::{Boundary, CurvatureError, Request, failed};
-use regge_curvature::functional::{angle_defects, face_jumps};
+use regge_curvature::functional::{Sums, angle_defects};
+use regge_curvature::mesh::Mesh;
 use regge_curvature::project::{Projection, Tested};
 use regge_curvature::quadrature::Rule;
-use regge_curvature::scalar::Lanes;
-use regge_curvature::spaces::Lagrange;
-use regge_curvature::spaces::ReggeFunction;
+use regge_curvature::spaces::{Indicators, Lagrange, ReggeFunction};
 
 /// Θ_S and |S| of the interior hinges.
-pub fn hinges<const N: usize>(
-    g_h: &ReggeFunction<f64, N>,
-    hats: &Lagrange<N>,
-    order: usize,
-) -> Vec<HingeDefect> {
-    let mesh = hats.mesh();
-    let all = angle_defects(g_h, hats, order).into_iter();
-    all.map(|(hinge, defect, volume)| HingeDefect {
-        vertices: mesh.vertices(N - 2, hinge).to_vec(),
-        defect,
-        volume,
+pub fn hinges<const N: usize>(g_h: &ReggeFunction<f64, N>, order: usize) -> Vec<HingeDefect> {
+    let mesh = g_h.space().mesh();
+    let all = angle_defects(g_h, mesh, order).into_iter();
+    all.map(|one| HingeDefect {
+        vertices: mesh.vertices(N - 2, one.hinge).to_vec(),
+        defect: one.defect,
+        volume: one.size,
     })
     .collect()
 }
 
-/// ∫⟦H⟧ of the interior faces.
-pub fn faces<const N: usize>(g_h: &ReggeFunction<f64, N>, order: usize) -> Vec<FaceJump> {
-    let mesh = g_h.space().mesh();
-    let rule = Rule::new(N - 1, order);
-    let all = face_jumps::<Lanes, N, _>(g_h, mesh, &rule).into_iter();
-    all.map(|(face, jump)| FaceJump {
+/// ∫R of the cells.
+pub fn cells<const N: usize>(each: &Indicators<N>, sums: &Sums<f64>) -> Vec<f64> {
+    sums.cells[each.range(0)].to_vec()
+}
+
+/// ∫⟦H⟧ of the interior faces, which are half of what they contribute to the sum over faces.
+pub fn faces<const N: usize>(
+    mesh: &Mesh<N>,
+    each: &Indicators<N>,
+    sums: &Sums<f64>,
+) -> Vec<FaceJump> {
+    let jumps = &sums.faces[each.range(1)];
+    let all = mesh.interior_faces();
+    all.map(|face| FaceJump {
         vertices: mesh.vertices(N - 1, face).to_vec(),
-        jump,
+        jump: 0.5 * jumps[face],
     })
     .collect()
 }
@@ -67,25 +72,22 @@ pub fn test_sums<const N: usize>(
 
 /// R_h^(q), with its sums if they were asked for.
 pub fn projected<const N: usize>(
-    g_h: &ReggeFunction<f64, N>,
-    hats: &AllSums,
+    given: &Given<'_, N>,
+    tests: &Tests<'_, N>,
+    settled: &Settled<Evaluation>,
     request: &Request,
-    order: usize,
 ) -> Result<(ProjectedCurvature, Option<Vec<TestSums>>), CurvatureError> {
-    let degree = request.test_degree.unwrap_or(1);
-    let space = Lagrange::new(g_h.space().mesh(), degree);
-    let finer = match degree {
-        1 => None,
-        _ => Some(sums(g_h, &space, request.quadrature, request.boundary)?.value),
-    };
-    let sums = finer.as_ref().unwrap_or(hats);
+    let space = tests.finer.as_ref().unwrap_or(&tests.hats);
+    let value = &settled.value;
+    let sums = value.finer.as_ref().unwrap_or(&value.hats);
+    let degree = space.degree();
     let tested = match request.boundary {
         Boundary::None => Tested::Interior,
         Boundary::GaussBonnet => Tested::All,
     };
     // The product of two test functions at the least.
-    let rule = Rule::new(N, order.max(2 * degree));
-    let projection = Projection::new(g_h, &space, tested, &rule).map_err(failed)?;
+    let rule = Rule::new(N, settled.order.max(2 * degree));
+    let projection = Projection::new(&given.g_h, space, tested, &rule).map_err(failed)?;
     let coefficients = projection.apply(&sums.total());
     let list = coefficients.iter().enumerate().map(|(dof, &value)| {
         let (k, simplex) = space.owner(dof);
@@ -101,6 +103,6 @@ pub fn projected<const N: usize>(
     let asked = request.test_degree.is_some();
     Ok((
         projected,
-        asked.then(|| test_sums(&space, sums, request.boundary)),
+        asked.then(|| test_sums(space, sums, request.boundary)),
     ))
 }

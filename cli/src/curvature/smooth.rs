@@ -1,7 +1,8 @@
 //! ∫ R(g) v ω of the smooth metric, where R(g) is stated by a formula.
 
 use rayon::prelude::*;
-use regge_curvature::field::TensorField;
+use regge_curvature::density::Volume;
+use regge_curvature::field::Evaluate;
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, indefinite_pivot};
@@ -21,14 +22,14 @@ pub fn stated_curvature<M: SmoothTensor<N>, const N: usize>(
 ) -> Vec<f64> {
     let mesh = space.mesh();
     let basis = space.basis(N).tabulate::<f64>(rule.points());
-    let table = TensorField::<f64, N>::tabulate(g, rule.points());
+    let table = Evaluate::<f64, N>::tabulate(g, rule.points());
     let mut load = vec![0.0; space.len()];
     for cell in 0..mesh.cell_count() {
-        let local = TensorField::<f64, N>::on_cell(g, cell);
+        let local = Evaluate::<f64, N>::on_cell(g, cell);
         for (q, weight) in rule.weights().iter().enumerate() {
             let x = place(g, cell, rule.points().lambda(q));
             let (_, det) = inverse_and_det(&g.value(&local, &table, q));
-            let density = exact.at(&x) * det.sqrt() * weight;
+            let density = exact.at(&x) * Volume::from_det(det) * weight;
             for (dof, value) in space.cell_dofs(cell).zip(&basis[q]) {
                 load[dof] += density * value;
             }
@@ -119,9 +120,9 @@ fn check_at<M: SmoothTensor<N>, const N: usize>(
     points: &Points,
     finite: impl Fn(&AffineMap<N>, &Vec<[f64; N]>, usize) -> Option<Mat<f64, N>> + Sync,
 ) -> Result<(), Error> {
-    let table = TensorField::<f64, N>::tabulate(g, points);
+    let table = Evaluate::<f64, N>::tabulate(g, points);
     let on_cell = |cell: usize| {
-        let local = TensorField::<f64, N>::on_cell(g, cell);
+        let local = Evaluate::<f64, N>::on_cell(g, cell);
         (0..points.len()).find_map(|q| {
             let what = match finite(&local, &table, q) {
                 None => "is not finite, or divides by zero,".to_string(),

@@ -93,7 +93,7 @@ impl Entry {
     /// The command that repeats this entry alone.
     pub fn replay(&self, seed: u64) -> String {
         format!(
-            "regge verify --only {} --dimension {} --seed {seed}",
+            "regge-verify --only {} --dimension {} --seed {seed}",
             self.label, self.dimension
         )
     }

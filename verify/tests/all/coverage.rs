@@ -75,7 +75,7 @@ fn read(name: &str) -> String {
     std::fs::read_to_string(committed(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
-/// `regge verify --report docs/verification` has been run since a claim was last changed.
+/// `regge-verify --report docs/verification` has been run since a claim was last changed.
 #[test]
 fn the_committed_pages_are_those_of_the_catalogue() {
     let report: Value = serde_json::from_str(&read("report.json")).expect("JSON");

@@ -1,0 +1,195 @@
+//! Regge functions by their coefficients, and tensors by their edge components.
+
+use super::regge::ReggeSpace;
+use crate::Error;
+use crate::field::{Evaluate, TensorField};
+use crate::jet::{Jet1, Jet2};
+use crate::linalg::{Mat, indefinite_pivot, symmetric};
+use crate::mesh::Mesh;
+use crate::scalar::{Field, Lift, Number, Real};
+use crate::simplex::{Bernstein, JetTable, Points};
+
+/// A Regge function: a single-valued piecewise polynomial symmetric tensor, by its coefficients.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        try_from = "super::document::Document<C, N>",
+        into = "super::document::Document<C, N>",
+        bound(
+            serialize = "C: Copy + serde::Serialize",
+            deserialize = "C: Copy + serde::Deserialize<'de>"
+        )
+    )
+)]
+pub struct ReggeFunction<C, const N: usize> {
+    space: ReggeSpace<N>,
+    coefficients: Vec<C>,
+}
+
+impl<const N: usize> ReggeSpace<N> {
+    /// The function with these coefficients.
+    ///
+    /// # Errors
+    /// If there are too few or too many.
+    pub fn function<C: Copy>(&self, coefficients: Vec<C>) -> Result<ReggeFunction<C, N>, Error> {
+        if coefficients.len() != self.len() {
+            return Err(Error::Input(format!(
+                "{} coefficients for a Regge space of dimension {}",
+                coefficients.len(),
+                self.len()
+            )));
+        }
+        Ok(ReggeFunction {
+            space: self.clone(),
+            coefficients,
+        })
+    }
+}
+
+impl<C: Copy, const N: usize> ReggeFunction<C, N> {
+    /// Its space.
+    pub fn space(&self) -> &ReggeSpace<N> {
+        &self.space
+    }
+
+    /// Its coefficients in the order of the space's numbering.
+    pub fn coefficients(&self) -> &[C] {
+        &self.coefficients
+    }
+
+    /// The coefficients of the edge components on a cell: `[edge][α]`, one after the other.
+    pub fn local(&self, cell: usize) -> Vec<C> {
+        let (mesh, slots) = (self.space.mesh(), self.space.slots());
+        let numbering = self.space.numbering();
+        let mut local = Vec::with_capacity(slots.len() * slots[0].len());
+        for slot in slots.iter().flatten() {
+            local.push(self.coefficients[numbering.of_cell(mesh, cell, *slot)]);
+        }
+        local
+    }
+}
+
+impl<const N: usize> ReggeFunction<f64, N> {
+    /// Is it a metric: positive definite at all given points of every cell?
+    ///
+    /// # Errors
+    /// Names the first cell and point where it is not.
+    pub fn check_positive(&self, points: &Points) -> Result<(), Error> {
+        check_positive(self, self.space.mesh(), points)
+    }
+}
+
+/// Is a field a metric: positive definite at all given points of every cell?
+///
+/// # Errors
+/// Names the first cell and point where it is not.
+pub fn check_positive<const N: usize, G: Evaluate<f64, N>>(
+    field: &G,
+    mesh: &Mesh<N>,
+    points: &Points,
+) -> Result<(), Error> {
+    let table = field.tabulate(points);
+    let mut found = None;
+    let on_cell = |cell: usize| {
+        let local = field.on_cell(cell);
+        (0..points.len())
+            .find_map(|q| indefinite_pivot(&field.value(&local, &table, q)).map(|pivot| (q, pivot)))
+    };
+    crate::parallel::in_order(mesh.cell_count(), on_cell, |cell, bad| {
+        if let (None, Some((q, pivot))) = (&found, bad) {
+            found = Some(Error::Indefinite {
+                cell,
+                point: points.lambda(q).to_vec(),
+                pivot,
+            });
+        }
+    });
+    found.map_or(Ok(()), Err)
+}
+
+/// Edge components `[edge]`, in the order of [`subsets`], of the tensor with components g_ij.
+pub(crate) fn edge_components<F: Field, const N: usize>(g: &Mat<F, N>) -> Vec<F> {
+    let mut q = Vec::with_capacity(N * (N + 1) / 2);
+    // t_0b = e_b; t_ab = e_b − e_a.
+    q.extend((0..N).map(|b| g[(b, b)]));
+    for a in 0..N {
+        q.extend((a + 1..N).map(|b| g[(a, a)] + g[(b, b)] - g[(a, b)] - g[(a, b)]));
+    }
+    q
+}
+
+/// From the coefficients of the edge components, `[edge][α]`, those of g_ii = q_0i, then, pair by pair i < j in the
+/// order of the edges that do not meet vertex 0, of g_ij = ½(q_0i + q_0j − q_ij).
+pub(super) fn components_from_edges<C: Field, const N: usize>(q: &mut [C]) {
+    let size = q.len() / (N * (N + 1) / 2);
+    let (diagonal, rest) = q.split_at_mut(N * size);
+    let mut others = rest.chunks_exact_mut(size);
+    for i in 0..N {
+        for (j, pair) in (i + 1..N).zip(&mut others) {
+            for (a, c) in pair.iter_mut().enumerate() {
+                *c = (diagonal[i * size + a] + diagonal[j * size + a] - *c) * C::half();
+            }
+        }
+    }
+}
+
+/// The matrix whose entries are made of equally long chunks of `coefficients`: the diagonal, then all i < j.
+#[inline]
+pub(super) fn from_chunks<C, F: Field, const N: usize>(
+    coefficients: &[C],
+    entry: impl Fn(&[C]) -> F,
+) -> Mat<F, N> {
+    let size = coefficients.len() / (N * (N + 1) / 2);
+    let mut pair = N;
+    symmetric(|i, j| {
+        let chunk = if i == j { i } else { pair };
+        pair += usize::from(i < j);
+        entry(&coefficients[chunk * size..(chunk + 1) * size])
+    })
+}
+
+impl<C, T, const N: usize> Evaluate<T, N> for ReggeFunction<C, N>
+where
+    C: Field + Lift<T>,
+    T: Real,
+{
+    type Table = JetTable<T, N>;
+    /// The coefficients of the components on the cell: g_ii, then g_ij with i < j, `[component][α]`.
+    type Local = Vec<C>;
+
+    fn tabulate(&self, points: &Points) -> Self::Table {
+        JetTable::new(&Bernstein::new(N + 1, self.space.degree()), points)
+    }
+
+    fn on_cell(&self, cell: usize) -> Vec<C> {
+        let mut local = self.local(cell);
+        components_from_edges::<C, N>(&mut local);
+        local
+    }
+
+    #[inline]
+    fn jet2(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+        from_chunks(local, |c| table.jet2(block, c))
+    }
+
+    #[inline]
+    fn jet1(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
+        from_chunks(local, |c| table.jet1(block, c))
+    }
+
+    #[inline]
+    fn value(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<T, N> {
+        from_chunks(local, |c| table.value(block, c))
+    }
+
+    fn is_constant(&self) -> bool {
+        self.space.degree() == 0
+    }
+}
+
+impl<C: Number, const N: usize> TensorField<N> for ReggeFunction<C, N> {
+    type Scalar = C;
+    type Wide = C::Wide;
+}

@@ -1,0 +1,128 @@
+//! How a functional is evaluated does not matter: simplex by simplex, for several spaces at once, with lanes or without.
+
+use crate::common::{crooked_cube, largest, random_regge};
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use regge_curvature::field::PointByPoint;
+use regge_curvature::functional::{
+    Sums, boundary_curvature, boundary_curvatures, cell_volumes, distributional_curvatures,
+    smooth_curvature, smooth_curvatures,
+};
+use regge_curvature::spaces::{Indicators, Scalar, TestSpace};
+use regge_curvature::{
+    Interpolant, Lagrange, Mesh, Metric, ReggeSpace, Rules, Smooth, distributional_curvature,
+};
+
+/// Rounding: sums of some 10² terms of size 1.
+const ROUNDING: f64 = 1e-11;
+
+/// The pieces add up to the sums of the functional at v = 1.
+#[test]
+fn the_integrals_simplex_by_simplex_add_up() {
+    let mesh = Mesh::<3>::cube(1).unwrap().perturbed(0.05, 2).unwrap();
+    let (space, hats) = (ReggeSpace::new(&mesh, 1), Lagrange::new(&mesh, 1));
+    let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
+    let g = Interpolant::canonical()
+        .with_order(8)
+        .apply(&space, &smooth)
+        .unwrap();
+    let rules = Rules::new(3, 6);
+    let sums = distributional_curvature(&g, &hats, &rules);
+    let outer = boundary_curvature(&g, &hats, &rules);
+    let each = Indicators::new(&mesh);
+    let (inside, bent) = (
+        distributional_curvature(&g, &each, &rules),
+        boundary_curvature(&g, &each, &rules),
+    );
+    // The one inner hinge of this mesh has a small defect, still far above rounding.
+    for (pieces, whole, least) in [
+        (&inside.cells, &sums.cells, 1e-3),
+        (&inside.faces, &sums.faces, 1e-3),
+        (&inside.hinges, &sums.hinges, 1e-8),
+        (&bent.faces, &outer.faces, 1e-3),
+        (&bent.hinges, &outer.hinges, 1e-3),
+    ] {
+        let [pieces, whole] = [pieces, whole].map(|list| list.iter().sum::<f64>());
+        assert!((pieces - whole).abs() < ROUNDING, "{pieces} {whole}");
+        assert!(whole.abs() > least, "{whole}");
+    }
+    // A simplex has its own piece and no other's.
+    for (codimension, own) in [&inside.cells, &inside.faces, &inside.hinges]
+        .iter()
+        .enumerate()
+    {
+        let range = each.range(codimension);
+        let others = (0..own.len()).filter(|i| !range.contains(i));
+        assert!(others.into_iter().all(|i| own[i] == 0.0), "{codimension}");
+        let k = 3 - codimension;
+        for (simplex, piece) in own[range].iter().enumerate() {
+            assert!(mesh.is_interior(k, simplex) || *piece == 0.0);
+            assert!(!mesh.is_interior(k, simplex) || *piece != 0.0);
+        }
+    }
+}
+
+/// ω by one point at a time is ω by lanes, cell by cell.
+#[test]
+fn volumes_do_not_depend_on_lanes() {
+    let mesh = Mesh::<3>::cube(1).unwrap().perturbed(0.05, 2).unwrap();
+    let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
+    let rules = Rules::new(3, 6);
+    let wide = cell_volumes(&smooth, &mesh, &rules);
+    let single = cell_volumes(&PointByPoint(&smooth), &mesh, &rules);
+    assert_eq!(wide.len(), mesh.cell_count());
+    assert_relative_eq!(wide[..], single[..], epsilon = 0.0, max_relative = ROUNDING);
+}
+
+/// Several spaces at once get what each of them gets alone, to the bit.
+#[test]
+fn several_spaces_get_what_each_gets() {
+    let mesh = crooked_cube::<3>(2, 2);
+    let space = ReggeSpace::new(&mesh, 1);
+    let (g, rules) = (random_regge(&space, 0.1, 2), Rules::on(&mesh, 4));
+    let (hats, cubics) = (Lagrange::new(&mesh, 1), Lagrange::new(&mesh, 3));
+    let each = Indicators::new(&mesh);
+    let spaces: [&dyn TestSpace<3, Value = Scalar>; 3] = [&hats, &cubics, &each];
+    let alone = [
+        distributional_curvature(&g, &hats, &rules),
+        distributional_curvature(&g, &cubics, &rules),
+        distributional_curvature(&g, &each, &rules),
+    ];
+    assert_eq!(distributional_curvatures(&g, &spaces, &rules), alone);
+    let alone = [
+        boundary_curvature(&g, &hats, &rules),
+        boundary_curvature(&g, &cubics, &rules),
+        boundary_curvature(&g, &each, &rules),
+    ];
+    assert_eq!(boundary_curvatures(&g, &spaces, &rules), alone);
+    let alone = [
+        smooth_curvature(&g, &hats, &rules),
+        smooth_curvature(&g, &cubics, &rules),
+        smooth_curvature(&g, &each, &rules),
+    ];
+    let zero = |len: usize| vec![0.0; len];
+    let alone = alone.map(|cells| Sums {
+        faces: zero(cells.len()),
+        hinges: zero(cells.len()),
+        cells,
+    });
+    assert_eq!(smooth_curvatures(&g, &spaces, &rules), alone);
+}
+
+/// The lanes run the same lines as f64.
+#[test]
+fn lanes_agree_with_f64() {
+    let mesh = crooked_cube::<3>(2, 2);
+    let space = ReggeSpace::new(&mesh, 2);
+    let g = random_regge(&space, 0.1, 2);
+    let test = Lagrange::new(&mesh, 3);
+    let rules = Rules::new(3, 7);
+    let one = distributional_curvature(&PointByPoint(&g), &test, &rules);
+    let four = distributional_curvature(&g, &test, &rules);
+    for (a, b) in [
+        (&one.cells, &four.cells),
+        (&one.faces, &four.faces),
+        (&one.hinges, &four.hinges),
+    ] {
+        assert_abs_diff_eq!(a[..], b[..], epsilon = 1e-13 * largest(a));
+    }
+}
