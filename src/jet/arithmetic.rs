@@ -36,11 +36,12 @@ impl<T: Field, const N: usize> SubAssign for Jet1<T, N> {
 impl<T: Field, const N: usize> Neg for Jet1<T, N> {
     type Output = Self;
     #[inline]
-    fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            d: self.d.map(|d| -d),
+    fn neg(mut self) -> Self {
+        self.value = -self.value;
+        for m in 0..N {
+            self.d[m] = -self.d[m];
         }
+        self
     }
 }
 
@@ -102,12 +103,15 @@ impl<T: Field, const N: usize> SubAssign for Jet2<T, N> {
 impl<T: Field, const N: usize> Neg for Jet2<T, N> {
     type Output = Self;
     #[inline]
-    fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            d: self.d.map(|d| -d),
-            dd: self.dd.map(|row| row.map(|d| -d)),
+    fn neg(mut self) -> Self {
+        self.value = -self.value;
+        for m in 0..N {
+            self.d[m] = -self.d[m];
+            for n in 0..N {
+                self.dd[m][n] = -self.dd[m][n];
+            }
         }
+        self
     }
 }
 

@@ -102,11 +102,12 @@ impl<T: Field, const N: usize> Jet1<T, N> {
 
     /// f(self), from (f, f′, f″) at the value; the last is not needed here.
     #[inline]
-    fn chain(self, (f, f1, _): (T, T, T)) -> Self {
-        Self {
-            value: f,
-            d: self.d.map(|d| f1 * d),
+    fn chain(mut self, (f, f1, _): (T, T, T)) -> Self {
+        self.value = f;
+        for m in 0..N {
+            self.d[m] = f1 * self.d[m];
         }
+        self
     }
 }
 
@@ -132,7 +133,9 @@ impl<T: Field, const N: usize> Jet2<T, N> {
     /// The jet of these numbers: value, first derivatives, then ∂_m∂_n for m ≤ n, row by row.
     pub fn from_numbers(mut next: impl FnMut() -> T) -> Self {
         let mut jet = Self::constant(next());
-        jet.d = std::array::from_fn(|_| next());
+        for m in 0..N {
+            jet.d[m] = next();
+        }
         for m in 0..N {
             for n in m..N {
                 jet.dd[m][n] = next();
@@ -159,22 +162,26 @@ impl<T: Field, const N: usize> Jet2<T, N> {
 impl<T: Field, const N: usize> Jet1<T, N> {
     /// `f` of the value and of every derivative.
     #[inline]
-    pub fn map<U>(self, f: impl Fn(T) -> U) -> Jet1<U, N> {
-        Jet1 {
-            value: f(self.value),
-            d: self.d.map(&f),
+    pub fn map<U: Field>(self, f: impl Fn(T) -> U) -> Jet1<U, N> {
+        let mut jet = Jet1::constant(f(self.value));
+        for m in 0..N {
+            jet.d[m] = f(self.d[m]);
         }
+        jet
     }
 }
 
 impl<T: Field, const N: usize> Jet2<T, N> {
     /// `f` of the value and of every derivative.
     #[inline]
-    pub fn map<U>(self, f: impl Fn(T) -> U) -> Jet2<U, N> {
-        Jet2 {
-            value: f(self.value),
-            d: self.d.map(&f),
-            dd: self.dd.map(|row| row.map(&f)),
+    pub fn map<U: Field>(self, f: impl Fn(T) -> U) -> Jet2<U, N> {
+        let mut jet = Jet2::constant(f(self.value));
+        for m in 0..N {
+            jet.d[m] = f(self.d[m]);
+            for n in 0..N {
+                jet.dd[m][n] = f(self.dd[m][n]);
+            }
         }
+        jet
     }
 }

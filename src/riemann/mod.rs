@@ -142,17 +142,18 @@ impl<F: Field, const N: usize> Connection<F, N> {
     /// `[m][(i, j)]` = (∇_m σ)_ij = ∂_m σ_ij − Γ^k_mi σ_kj − Γ^k_mj σ_ik, symmetric in i, j.
     #[inline]
     pub fn nabla_tensor<J: Jet<N, Lower = F>>(&self, sigma: &Mat<J, N>) -> [Mat<F, N>; N] {
-        let value = lower(sigma);
-        std::array::from_fn(|m| {
-            symmetric(|i, j| {
+        let (value, mut nabla) = (lower(sigma), [zeros(); N]);
+        for m in 0..N {
+            fill_symmetric(&mut nabla[m], |i, j| {
                 let mut sum = sigma[(i, j)].d(m);
                 for k in 0..N {
                     sum -= self.gamma[k][(m, i)] * value[(k, j)];
                     sum -= self.gamma[k][(m, j)] * value[(i, k)];
                 }
                 sum
-            })
-        })
+            });
+        }
+        nabla
     }
 
     /// div α = g^mj (∇_m α)_j.
@@ -190,22 +191,30 @@ impl<T: Field, const N: usize> Connection<Jet1<T, N>, N> {
     /// The same connection, its derivatives forgotten.
     #[inline]
     pub fn lower(&self) -> Connection<T, N> {
-        Connection {
+        let mut connection = Connection {
             g: lower(&self.g),
             inverse: lower(&self.inverse),
             det: self.det.value,
-            lowered: self.lowered.map(|g| lower(&g)),
-            gamma: self.gamma.map(|g| lower(&g)),
+            lowered: [zeros(); N],
+            gamma: [zeros(); N],
+        };
+        for k in 0..N {
+            connection.lowered[k] = lower(&self.lowered[k]);
+            connection.gamma[k] = lower(&self.gamma[k]);
         }
+        connection
     }
 
     /// The second-order jets of g that it was made from: ∂_m∂_n g_ij = ∂_n (Γ_imj + Γ_jmi).
     #[inline]
     fn metric(&self) -> Mat<Jet2<T, N>, N> {
-        symmetric(|i, j| Jet2 {
-            value: self.g[(i, j)].value,
-            d: self.g[(i, j)].d,
-            dd: std::array::from_fn(|m| (self.lowered[i][(m, j)] + self.lowered[j][(m, i)]).d),
+        symmetric(|i, j| {
+            let mut jet = Jet2::constant(self.g[(i, j)].value);
+            jet.d = self.g[(i, j)].d;
+            for m in 0..N {
+                jet.dd[m] = (self.lowered[i][(m, j)] + self.lowered[j][(m, i)]).d;
+            }
+            jet
         })
     }
 

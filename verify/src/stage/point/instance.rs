@@ -146,7 +146,8 @@ pub fn still_jet<S: Timed, const N: usize>(jet: Jet1<S::Base, N>) -> Jet1<S, N> 
     jet.map(S::fixed)
 }
 
-/// Σ_i f(τ_i).
+/// Σ_i f(τ_i). Every call has an f of its own: inlined, it is no function of its own.
+#[inline(always)]
 pub fn sum<B: Field, X>(items: &[X], f: impl Fn(&X) -> B) -> B {
     let mut sum = B::zero();
     for x in items {
