@@ -46,7 +46,7 @@ pub fn json(path: &Path, report: &impl Serialize) -> Result<(), Stop> {
     })
 }
 
-/// [`write`] for what need not be in memory as a whole.
+/// [`write()`] for what need not be in memory as a whole.
 ///
 /// # Errors
 /// Names the file and what failed.

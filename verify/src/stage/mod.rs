@@ -6,7 +6,7 @@
 //! | [`polynomial`] | polynomial fields on simplices over the prime field | [`ByParts`](polynomial::ByParts) |
 //! | [`fields`] | random fields on meshes | |
 //! | [`mesh`] | meshes, the sums of the paper's forms, why terms vanish | [`OnMesh`](mesh::OnMesh), [`Evolution`](mesh::Evolution) |
-//! | [`reference`] | geometry and numbers that do not come from the library | |
+//! | [`mod@reference`] | geometry and numbers that do not come from the library | |
 
 pub mod fields;
 pub mod mesh;
