@@ -70,14 +70,16 @@ impl Figure {
 
     fn draw(&self, text: &mut String) -> fmt::Result {
         let [width, height] = SIZE;
-        let [left, _, right, _] = FRAME;
+        // A wide sans-serif has letters of 0.6 of its size on the average: a long title gets smaller ones, and fits.
+        let letters = self.title.chars().count().max(1) as f64;
+        let font = (0.95 * width / (0.6 * letters)).min(20.0);
         writeln!(
             text,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n\
              <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
-             <text x=\"{}\" y=\"32\" font-size=\"20\" text-anchor=\"middle\">{}</text>",
-            (left + right) / 2.0,
+             <text x=\"{}\" y=\"32\" font-size=\"{font:.1}\" text-anchor=\"middle\">{}</text>",
+            width / 2.0,
             escaped(&self.title)
         )?;
         let plane = Plane::new(self);
