@@ -1,5 +1,6 @@
 //! The distributional densitized scalar curvature, and what the boundary adds to it. Paper: def:distcurv.
 
+use super::defects::Defects;
 use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, all_sites};
 use super::walk::pair;
@@ -96,8 +97,13 @@ fn on<T: Real, const N: usize, G: Evaluate<T, N>>(
         Where::Interior => formulas.full_angle,
         Where::Boundary => formulas.boundary_angle,
     };
+    let mesh = spaces.first().expect("a test space").mesh();
+    let seen = Seen::new(g, &all_sites(N, rules), formulas);
+    let blocks = rules.hinges.points().blocks::<T>();
+    let full = T::from_f64(PI) * T::from_int(halves);
     let density = ScalarCurvature::<T, N, G> {
-        seen: Seen::new(g, &all_sites(N, rules), formulas),
+        defects: singular.then(|| Defects::new(&seen, mesh, on, blocks, full)),
+        seen,
         sums: [
             curved && on == Where::Interior,
             curved && singular,
@@ -105,9 +111,7 @@ fn on<T: Real, const N: usize, G: Evaluate<T, N>>(
         ],
         faces: T::from_int(formulas.faces),
         hinges: T::from_int(formulas.hinges),
-        angle: T::from_f64(PI) * T::from_int(halves),
     };
-    let mesh = spaces.first().expect("a test space").mesh();
     pair(mesh, &density, on, spaces, rules)
 }
 
@@ -117,8 +121,8 @@ struct ScalarCurvature<'a, T: Real, const N: usize, G: Evaluate<T, N>> {
     sums: [bool; 3],
     faces: T,
     hinges: T,
-    /// What the angles around a hinge add up to where there is no defect.
-    angle: T,
+    /// None where there is no sum over hinges.
+    defects: Option<Defects<T>>,
 }
 
 impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for ScalarCurvature<'_, T, N, G> {
@@ -151,10 +155,13 @@ impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for ScalarCurvatu
     }
 
     #[inline]
-    fn at_hinge(&self, at: &Self::Local, place: usize, block: usize, first: bool, out: &mut [T]) {
-        let start = if first { self.angle } else { T::zero() };
+    fn at_hinge(&self, at: &Self::Local, hinge: usize, place: usize, block: usize, out: &mut [T]) {
+        let defects = self.defects.as_ref();
+        let defect = defects
+            .expect("there are defects where there is a sum over hinges")
+            .at(hinge, block);
         out[0] = self.seen.corner(at, place, block, |corner| {
-            (start - corner.angle()) * corner.omega() * self.hinges
+            defect * corner.omega() * self.hinges
         });
     }
 }

@@ -1,5 +1,6 @@
 //! The form a_h and the distributional Einstein tensor. Paper: thm:distcurvdot, def:distein.
 
+use super::defects::Defects;
 use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, Sites, all_sites};
 use super::walk::pair;
@@ -167,11 +168,14 @@ fn against_all<T: Real, const N: usize, G: Evaluate<T, N>, A: Against<T, N>>(
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let formulas = &rules.formulas;
+    let seen = Seen::<T, N, G>::new(g, sites, formulas);
+    let blocks = rules.hinges.points().blocks::<T>();
+    let full = T::from_f64(PI) * T::from_int(formulas.full_angle);
     let density = Einstein {
-        seen: Seen::<T, N, G>::new(g, sites, formulas),
+        defects: Defects::new(&seen, space.mesh(), Where::Interior, blocks, full),
+        seen,
         against,
         formulas,
-        angle: T::from_f64(PI) * T::from_int(formulas.full_angle),
     };
     let mut sums = pair(space.mesh(), &density, Where::Interior, &[space], rules);
     sums.pop().expect("one space, one result")
@@ -182,7 +186,7 @@ struct Einstein<'a, T: Real, const N: usize, G: Evaluate<T, N>, A> {
     seen: Seen<'a, T, N, G>,
     against: &'a A,
     formulas: &'a Formulas,
-    angle: T,
+    defects: Defects<T>,
 }
 
 impl<T, const N: usize, G, A> Density<T, N> for Einstein<'_, T, N, G, A>
@@ -237,15 +241,14 @@ where
     fn at_hinge(
         &self,
         (g, at): &Self::Local,
+        hinge: usize,
         place: usize,
         block: usize,
-        first: bool,
         out: &mut [T],
     ) {
-        let start = if first { self.angle } else { T::zero() };
         self.seen.corner(g, place, block, |corner| {
             let factor = T::from_int(self.formulas.a_hinges);
-            let density = (start - corner.angle()) * corner.omega() * factor;
+            let density = self.defects.at(hinge, block) * corner.omega() * factor;
             let mut out = out.iter_mut();
             self.against.each(at, 2, place, block, |psi| {
                 *out.next().expect("a number for each tensor") = corner.trace(psi) * density;

@@ -1,7 +1,7 @@
 //! Measures on cells, faces and hinges: what a cell has of their densities.
 //!
-//! Every sum is a sum over cells: a cell's share of a hinge is (2π − θ_ST) ω_S if it is the first cell around S, and −θ_ST ω_S if
-//! it is not; ω_S is the same from all of them.
+//! Of a hinge only the first cell around it has any: Θ_S comes from all of them (`defects.rs`), ω_S and traces on S are the same
+//! from each.
 
 use super::Rules;
 use crate::mesh::Mesh;
@@ -18,7 +18,7 @@ pub(super) enum Where {
 }
 
 impl Where {
-    fn has(self, interior: bool) -> bool {
+    pub fn has(self, interior: bool) -> bool {
         interior == (self == Self::Interior)
     }
 }
@@ -42,8 +42,8 @@ pub(super) trait Density<T: Real, const N: usize>: Sync {
     fn in_cell(&self, at: &Self::Local, block: usize, out: &mut [T]);
     /// On the face at this place, as the cell sees it.
     fn on_face(&self, at: &Self::Local, place: usize, block: usize, out: &mut [T]);
-    /// At the hinge at this place; `first` if the cell is the first one around it.
-    fn at_hinge(&self, at: &Self::Local, place: usize, block: usize, first: bool, out: &mut [T]);
+    /// At the hinge of this number in the mesh, which is at this place of the cell, the first one around it.
+    fn at_hinge(&self, at: &Self::Local, hinge: usize, place: usize, block: usize, out: &mut [T]);
 }
 
 /// Where the numbers of one codimension stand among all of a cell: by place, block and direction. What is the same at all points
@@ -154,9 +154,12 @@ impl<T: Real, D: Density<T, N>, const N: usize> CellByCell<T> for Cells<'_, D, N
         }
         if hinges.present && hinges.directions > 0 {
             self.each_place(2, cell, out, |place, hinge, chunk| {
-                let first = self.mesh.first_side(N - 2, hinge).cell == cell;
+                if self.mesh.first_side(N - 2, hinge).cell != cell {
+                    chunk.fill(T::zero());
+                    return;
+                }
                 for (block, chunk) in chunk.chunks_exact_mut(hinges.directions).enumerate() {
-                    density.at_hinge(&at, place, block, first, chunk);
+                    density.at_hinge(&at, hinge, place, block, chunk);
                 }
             });
         }

@@ -19,6 +19,7 @@
 
 mod action;
 mod curvature;
+mod defects;
 mod einstein;
 mod hessian;
 mod integrate;

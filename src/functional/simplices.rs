@@ -107,7 +107,7 @@ impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for Volumes<'_, T
         out.fill(T::zero());
     }
 
-    fn at_hinge(&self, _: &Self::Local, _: usize, _: usize, _: bool, out: &mut [T]) {
+    fn at_hinge(&self, _: &Self::Local, _: usize, _: usize, _: usize, out: &mut [T]) {
         out.fill(T::zero());
     }
 }

@@ -1,7 +1,7 @@
 //! M11, M19: the trace of the Einstein tensor.
 
 use crate::harness::{Draw, Equation, Judgement, Record, Setting, Timed};
-use crate::stage::mesh::{FLAT, OnMesh, Pair, ROUNDING, Where, at_points, times, values};
+use crate::stage::mesh::{FLAT, OnMesh, Pair, ROUNDING, at_points, times, values};
 use crate::stage::point::{Instance, Over, Pointwise, Scene};
 use regge_curvature::functional::{a_h, distributional_curvature};
 use regge_curvature::riemann::Connection;
@@ -88,12 +88,11 @@ impl OnMesh for M19 {
     }
 
     fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
-        let pair = Pair::<N>::draw(at, draw);
-        let (g, space, rules) = (&pair.g, &pair.space, &pair.rules);
-        let a = values(a_h(g, g, space, rules));
-        let r = values(distributional_curvature(g, space, rules));
-        // Σ_T θ is near 2π, to be cancelled.
-        let angles = pair.hinges(Where::Interior, |q| q.theta * q.omega);
+        let Pair {
+            g, space, rules, ..
+        } = Pair::<N>::draw(at, draw);
+        let a = values(a_h(&g, &g, &space, &rules));
+        let r = values(distributional_curvature(&g, &space, &rules));
         let (flat, surface) = (at.degree == 0, N == 2);
         let size = r.s.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let side = |name, left: &[f64], right: &[f64], none: bool| {
@@ -113,7 +112,7 @@ impl OnMesh for M19 {
         vec![
             side("Σ_T", &a.t, &r.t, flat),
             side("Σ_F", &a.f, &r.f, flat),
-            side("Σ_S", &a.s, &r.s, false).magnitude(angles),
+            side("Σ_S", &a.s, &r.s, false),
         ]
     }
 }

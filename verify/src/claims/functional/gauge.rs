@@ -2,9 +2,9 @@
 
 use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape};
 use crate::stage::fields::{Regge, function, metric, value_only};
-use crate::stage::mesh::{OnMesh, POINTS_IN_T, Pair, QUADRATURE, ROUNDING, Tested, Where, values};
+use crate::stage::mesh::{OnMesh, POINTS_IN_T, Pair, QUADRATURE, ROUNDING, Tested, values};
 use regge_curvature::field::{Evaluate, TensorField};
-use regge_curvature::functional::distributional_curvature;
+use regge_curvature::functional::{a_h, distributional_curvature};
 use regge_curvature::interpolate::Canonical;
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, Vector, symmetric};
@@ -142,11 +142,9 @@ impl OnMesh for M16 {
         let pulled_back = PullBack::new(&mesh, at.degree, moved(&start, 1.0, &u));
         let g = as_regge(&regge, &pulled_back, at.degree);
         let space = Lagrange::new(&mesh, at.test);
-        let pair = Pair::new(at, space, g, metric(&regge, draw));
-        let (space, rules, a) = (&pair.space, &pair.rules, pair.a());
-        let sums = values(distributional_curvature(&pair.g, space, rules));
-        // Σ_T θ is 2π, to be cancelled.
-        let angles = pair.hinges(Where::Interior, |q| q.theta * q.trace * q.omega);
+        let rules = at.rules(N);
+        let sums = values(distributional_curvature(&g, &space, &rules));
+        let a = values(a_h(&g, &metric(&regge, draw), &space, &rules));
         // Angles of size 2π around hinges of size 1, and as much for H.
         let one = |name, sum: Vec<f64>| {
             Equation::new(name)
@@ -155,14 +153,14 @@ impl OnMesh for M16 {
                 .magnitude(1.0)
         };
         let other = metric(&regge, draw);
-        let curved = values(distributional_curvature(&other, space, rules));
+        let curved = values(distributional_curvature(&other, &space, &rules));
         vec![
             one("Σ_T ∫Rvω", sums.t),
             one("Σ̊_F ∫⟦H⟧vω_F", sums.f),
             one("Σ̊_S ∫Θvω_S", sums.s).forge("a metric that is no pull-back", "sum", curved.s),
             one("Σ_T ∫⟨G,σ⟩vω", a.t),
             one("Σ̊_F ∫⟨⟦II‾⟧,σ⟩vω_F", a.f),
-            one("Σ̊_S ∫Θ Tr(σ|_S)vω_S", a.s).magnitude(angles),
+            one("Σ̊_S ∫Θ Tr(σ|_S)vω_S", a.s),
         ]
     }
 }
