@@ -139,8 +139,8 @@ fn verdict(report: &Report) -> Result<(), Stop> {
     for entry in &failures {
         text += &format!("{}\n", entry.describe_failure());
     }
-    let (label, n, seed) = (&first.label, first.dimension, report.seed);
     Err(Stop::Failed(format!(
-        "{text}replay the first: {COMMAND} --only {label} --dimension {n} --seed {seed}"
+        "{text}replay the first: {COMMAND} {}",
+        first.replay(report.seed)
     )))
 }

@@ -90,10 +90,10 @@ impl Entry {
         self.worst_residual / self.tolerance
     }
 
-    /// The command that repeats this entry alone.
+    /// The arguments of `regge-verify` that repeat this entry alone.
     pub fn replay(&self, seed: u64) -> String {
         format!(
-            "regge-verify --only {} --dimension {} --seed {seed}",
+            "--only {} --dimension {} --seed {seed}",
             self.label, self.dimension
         )
     }
