@@ -4,7 +4,7 @@
 //!
 //! | floor | module | what is there |
 //! |---|---|---|
-//! | 0 | [`exact`] | a prime field, and integrals over it |
+//! | 0 | [`exact`], [`paper`] | a prime field, and integrals over it; the paper's labels and statements |
 //! | 1 | [`harness`] | equations, forgeries, checks as data, one entry of the report |
 //! | 2 | [`stage`] | instances, fields, meshes, and what several claims compute |
 //! | 3 | [`claims`] | the claims, by the sections of the paper |
@@ -15,6 +15,7 @@ pub mod claims;
 pub mod errata;
 pub mod exact;
 pub mod harness;
+pub mod paper;
 pub mod report;
 mod run;
 pub mod stage;

@@ -1,8 +1,10 @@
 //! One Markdown page for each claim, and an index.
 
+use super::coverage::coverage;
 use super::data::Report;
 use super::summary::{Row, margin};
 use crate::harness::{Entry, Record, Verdict};
+use crate::paper::statements;
 use std::fmt::Write;
 
 /// A file of the report.
@@ -88,6 +90,7 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
     for (name, labels) in report.caught_by() {
         let _ = writeln!(text, "| {} | {} |", cell(name), labels.join(", "));
     }
+    text += &coverage(&statements());
     Page {
         name: "index.md".to_owned(),
         content: text,

@@ -2,6 +2,8 @@
 
 use regge_verify::claims::{catalogue, records};
 use regge_verify::harness::{Budget, Check, ENOUGH, Excuses};
+use regge_verify::paper::statements;
+use regge_verify::report::coverage;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -73,6 +75,19 @@ fn committed(name: &str) -> PathBuf {
 
 fn read(name: &str) -> String {
     std::fs::read_to_string(committed(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// The index says how much of the paper is verified. `REGGE_BLESS=1 cargo test -p regge-verify coverage` writes it anew.
+#[test]
+fn the_index_counts_the_statements() {
+    let (index, now) = (read("index.md"), coverage(&statements()));
+    if std::env::var_os("REGGE_BLESS").is_some() {
+        let title = now.trim_start().lines().next().expect("a title");
+        let before = index.split(title).next().unwrap_or_default();
+        let page = format!("{}\n{now}", before.trim_end());
+        std::fs::write(committed("index.md"), page).expect("the index can be written");
+    }
+    assert!(read("index.md").ends_with(&now), "the index is out of date");
 }
 
 /// `regge-verify --report docs/verification` has been run since a claim was last changed.

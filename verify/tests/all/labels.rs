@@ -1,9 +1,10 @@
-//! Every label of the paper has a home in the catalogue or a reason to have none.
+//! Every label of the paper has a home in the catalogue or a reason to have none, and so has every statement.
 
 use regge_verify::claims::records;
-use std::collections::{BTreeMap, BTreeSet};
+use regge_verify::paper::{Status, labels, statements};
+use std::collections::BTreeMap;
+use std::path::Path;
 
-const LABELS: &str = include_str!("../../../docs/verification/labels.toml");
 const KINDS: [&str; 8] = [
     "claim",
     "definition",
@@ -15,36 +16,9 @@ const KINDS: [&str; 8] = [
     "section",
 ];
 
-/// Of one label: its keys with their values, quotes and brackets taken off.
-type Label = BTreeMap<String, Vec<String>>;
-
-/// The file, which is simple TOML: a table for each label, one key a line.
-fn labels() -> BTreeMap<String, Label> {
-    let mut all = BTreeMap::new();
-    let mut current = String::new();
-    for line in LABELS
-        .lines()
-        .filter(|l| !l.is_empty() && !l.starts_with('#'))
-    {
-        if let Some(name) = line.strip_prefix("[\"").and_then(|l| l.strip_suffix("\"]")) {
-            current = name.to_owned();
-            let before = all.insert(current.clone(), Label::new());
-            assert!(before.is_none(), "{name} is there twice");
-            continue;
-        }
-        let (key, value) = line
-            .split_once(" = ")
-            .unwrap_or_else(|| panic!("not a key: {line}"));
-        let values = value
-            .split('"')
-            .skip(1)
-            .step_by(2)
-            .map(str::to_owned)
-            .collect();
-        let label: &mut Label = all.get_mut(&current).expect("a key belongs to a label");
-        label.insert(key.to_owned(), values);
-    }
-    all
+/// The claims that can be homes: what each cites of the paper.
+fn rows() -> BTreeMap<&'static str, &'static [&'static str]> {
+    records().iter().map(|r| (r.label, r.paper)).collect()
 }
 
 /// The number of different labels in scalar-curvature.tex (one of them is there twice).
@@ -55,41 +29,75 @@ fn no_label_is_missing() {
 
 #[test]
 fn every_label_has_a_kind_and_either_a_home_or_a_reason() {
-    let rows: BTreeSet<&str> = records().iter().map(|r| r.label).collect();
     for (name, label) in labels() {
-        let kind = label
-            .get("kind")
-            .and_then(|k| k.first())
-            .unwrap_or_else(|| panic!("{name}: no kind"));
-        assert!(KINDS.contains(&kind.as_str()), "{name}: {kind}");
-        let (home, reason) = (label.get("home"), label.get("reason"));
+        assert!(KINDS.contains(&&*label.kind), "{name}: {}", label.kind);
+        let has_home = !label.home.is_empty();
         assert!(
-            home.is_some() != reason.is_some(),
+            has_home != label.reason.is_some(),
             "{name}: a home or a reason"
         );
-        for row in home.into_iter().flatten() {
-            assert!(
-                rows.contains(row.as_str()),
-                "{name}: the catalogue has no {row}"
-            );
-        }
         assert!(
-            reason.is_none_or(|r| !r[0].is_empty()),
+            label.reason != Some(String::new()),
             "{name}: an empty reason"
         );
         assert!(
-            kind != "claim" || home.is_some(),
+            label.kind != "claim" || has_home,
             "{name} is a claim without a home"
         );
+    }
+}
+
+/// A home that does not speak of a label does not verify it. Sections are there as a whole.
+#[test]
+fn every_home_cites_its_label() {
+    let rows = rows();
+    for (name, label) in labels() {
+        for home in &label.home {
+            let paper = rows.get(&**home);
+            let paper = paper.unwrap_or_else(|| panic!("{name}: there is no claim {home}"));
+            assert!(
+                label.kind == "section" || paper.contains(&&*name),
+                "{home} is a home of {name} and does not mention it"
+            );
+        }
     }
 }
 
 #[test]
 fn the_catalogue_cites_labels_that_exist() {
     let known = labels();
-    for record in records() {
-        for label in record.paper {
-            assert!(known.contains_key(*label), "{} cites {label}", record.label);
+    for (row, paper) in rows() {
+        for label in paper {
+            assert!(known.contains_key(*label), "{row} cites {label}");
         }
     }
+}
+
+/// The claims and files that the statements name are there, and the numbers run from 1.
+#[test]
+fn every_statement_has_homes_and_files_that_exist() {
+    let (rows, root) = (rows(), Path::new(env!("CARGO_MANIFEST_DIR")).join(".."));
+    for (i, statement) in statements().iter().enumerate() {
+        let number = statement.number;
+        assert_eq!(number, i + 1);
+        for home in &statement.homes {
+            assert!(rows.contains_key(&**home), "{number}: no claim is {home}");
+        }
+        for file in &statement.seen_in {
+            assert!(root.join(file).is_file(), "{number}: there is no {file}");
+        }
+        let verified = matches!(statement.status(), Status::Verified | Status::Nothing);
+        assert!(
+            !verified || statement.missing.is_empty(),
+            "{number}: verified, and something is missing"
+        );
+    }
+}
+
+/// What the audit of 24 November 2026 found, by which the index measures what was done since.
+#[test]
+fn the_audit_is_kept() {
+    let all = statements();
+    let before = |status| all.iter().filter(|s| s.before == status).count();
+    assert_eq!(Status::COMPUTED.map(before), [83, 15, 17, 56]);
 }

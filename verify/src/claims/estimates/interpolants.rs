@@ -38,7 +38,7 @@ fn averaged<const N: usize>(
 impl OnMesh for I29 {
     const RECORD: Record = Record {
         label: "I29",
-        paper: &["appendix:optimalorder", "optimalorder"],
+        paper: &["appendix:optimalorder"],
         title: "The canonical degrees of freedom, J_h, and the averaged interpolant",
         statement: r"\ell_i(\psi_j)=\delta_{ij},\quad J_h^2=J_h,\quad \ell_i(g_h)=\ell_i(J_hg)+\frac{1}{|\omega_i|}
             \sum_{T\in\omega_i}\ell_i(\bar g_h|_T-g)",

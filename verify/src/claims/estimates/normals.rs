@@ -134,7 +134,7 @@ impl Pointwise for I03 {
         statement: r"|n_1 - n_2| \le \left(\tfrac12\mu^3M^{3/2} + \mu^2M^{1/2}\right)|g_1 - g_2|,\qquad
             M = \max|g_i|,\ \mu = \max|g_i^{-1}|",
         sides: "Left: the library's normals. Right: eigenvalues by nalgebra. The constant follows from the proof's \
-            decomposition, term by term; a hundredth of it is refuted.",
+            decomposition, term by term; a thousandth of it is refuted. It is far from the best one.",
     };
     const OVER: Over = Over::Ordered;
     const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
