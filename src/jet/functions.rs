@@ -76,6 +76,12 @@ macro_rules! jet_scalar {
                 let turned = ((sin * c - cos * s) / (cos * c + sin * s)).atan();
                 turned + Self::constant(theta - turned.value)
             }
+            #[inline]
+            fn select(self, above: Self, below: Self) -> Self {
+                // NaN: what is computed from it is NaN too, whatever its derivatives are.
+                let value = self.value;
+                above.zip(below, |above, below| value.select(above, below))
+            }
         }
     };
 }

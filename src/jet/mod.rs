@@ -169,6 +169,16 @@ impl<T: Field, const N: usize> Jet1<T, N> {
         }
         jet
     }
+
+    /// `f` of the values and of every two derivatives.
+    #[inline]
+    fn zip(mut self, other: Self, f: impl Fn(T, T) -> T) -> Self {
+        self.value = f(self.value, other.value);
+        for m in 0..N {
+            self.d[m] = f(self.d[m], other.d[m]);
+        }
+        self
+    }
 }
 
 impl<T: Field, const N: usize> Jet2<T, N> {
@@ -183,5 +193,18 @@ impl<T: Field, const N: usize> Jet2<T, N> {
             }
         }
         jet
+    }
+
+    /// `f` of the values and of every two derivatives.
+    #[inline]
+    fn zip(mut self, other: Self, f: impl Fn(T, T) -> T) -> Self {
+        self.value = f(self.value, other.value);
+        for m in 0..N {
+            self.d[m] = f(self.d[m], other.d[m]);
+            for n in 0..N {
+                self.dd[m][n] = f(self.dd[m][n], other.dd[m][n]);
+            }
+        }
+        self
     }
 }

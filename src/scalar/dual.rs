@@ -74,6 +74,18 @@ impl<T: DualNumCopy + DualNum<Primitive = f64>> Real for T {
         let turned_cos = cos * c + sin * s;
         theta + DualNum::atan(&(turned_sin / turned_cos))
     }
+
+    #[inline]
+    fn select(self, above: Self, below: Self) -> Self {
+        let value = DualStruct::re(&self);
+        if value >= 0.0 {
+            above
+        } else if value < 0.0 {
+            below
+        } else {
+            self
+        }
+    }
 }
 
 macro_rules! lift_to_itself {

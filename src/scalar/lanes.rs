@@ -157,4 +157,9 @@ impl Real for Lanes {
     fn angle(sin: Self, cos: Self) -> Self {
         Self(sin.0.atan2(cos.0))
     }
+    #[inline]
+    fn select(self, above: Self, below: Self) -> Self {
+        let [values, above, below] = [self, above, below].map(Self::to_array);
+        Self::pack(|l| values[l].select(above[l], below[l]))
+    }
 }

@@ -108,6 +108,10 @@ pub trait Real: Algebraic {
     /// Its derivatives are finite everywhere: those of atan2, not of acos.
     fn angle(sin: Self, cos: Self) -> Self;
 
+    /// `above` where the value of `self` is ≥ 0, `below` where it is < 0, `self` where it is NaN; in each lane, with the
+    /// derivatives of what is taken. This is how functions with a kink are written.
+    fn select(self, above: Self, below: Self) -> Self;
+
     /// Tangent.
     #[inline]
     fn tan(self) -> Self {

@@ -2,6 +2,7 @@
 //!
 //! The code is postfix, a list and not a tree: neither its evaluation nor its end recurses, whatever its length.
 
+use super::function::{Function, Pair};
 use regge_curvature::scalar::Real;
 
 /// One step on a stack of values.
@@ -27,68 +28,8 @@ pub enum Op {
     Power,
     /// f(a).
     Call(Function),
-}
-
-/// The functions of one argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Function {
-    /// Sine.
-    Sin,
-    /// Cosine.
-    Cos,
-    /// Tangent.
-    Tan,
-    /// Exponential.
-    Exp,
-    /// Natural logarithm.
-    Ln,
-    /// Square root.
-    Sqrt,
-    /// Hyperbolic sine.
-    Sinh,
-    /// Hyperbolic cosine.
-    Cosh,
-    /// Hyperbolic tangent.
-    Tanh,
-    /// Arc tangent.
-    Atan,
-    /// Absolute value.
-    Abs,
-}
-
-impl Function {
-    /// All of them, by name.
-    pub const ALL: [(&'static str, Self); 12] = [
-        ("sin", Self::Sin),
-        ("cos", Self::Cos),
-        ("tan", Self::Tan),
-        ("exp", Self::Exp),
-        ("ln", Self::Ln),
-        ("log", Self::Ln),
-        ("sqrt", Self::Sqrt),
-        ("sinh", Self::Sinh),
-        ("cosh", Self::Cosh),
-        ("tanh", Self::Tanh),
-        ("atan", Self::Atan),
-        ("abs", Self::Abs),
-    ];
-
-    fn of<S: Real>(self, a: S) -> S {
-        match self {
-            Self::Sin => a.sin(),
-            Self::Cos => a.cos(),
-            Self::Tan => a.tan(),
-            Self::Exp => a.exp(),
-            Self::Ln => a.ln(),
-            Self::Sqrt => a.sqrt(),
-            Self::Sinh => a.sinh(),
-            Self::Cosh => a.cosh(),
-            // e^2a overflows for large a where tanh is 1; e^−2|a| would not, but has a kink at 0.
-            Self::Tanh => S::one() - S::from_int(2) / ((a + a).exp() + S::one()),
-            Self::Atan => a.atan(),
-            Self::Abs => (a * a).sqrt(),
-        }
-    }
+    /// f(a, b).
+    Pair(Pair),
 }
 
 /// How many values the code puts on the stack at a time.
@@ -98,7 +39,9 @@ pub fn depth(code: &[Op]) -> usize {
         match op {
             Op::Constant(_) | Op::Coordinate(_) => top += 1,
             Op::Negate | Op::Integer(_) | Op::Call(_) => {}
-            Op::Add | Op::Subtract | Op::Multiply | Op::Divide | Op::Power => top -= 1,
+            Op::Add | Op::Subtract | Op::Multiply | Op::Divide | Op::Power | Op::Pair(_) => {
+                top -= 1
+            }
         }
         most = most.max(top);
     }
@@ -149,6 +92,7 @@ fn binary<S: Real>(op: Op, a: S, b: S) -> S {
         Op::Subtract => a - b,
         Op::Multiply => a * b,
         Op::Divide => a / b,
+        Op::Pair(function) => function.of(a, b),
         _ => (b * a.ln()).exp(),
     }
 }

@@ -6,11 +6,12 @@
 //! | product | sign, then any number of * or / and a sign |
 //! | sign | − or + before a sign, or a power |
 //! | power | atom, or atom ^ sign |
-//! | atom | number, name, function(sum), (sum) |
+//! | atom | number, name, function(sum, …), (sum) |
 //!
 //! So −x^2 = −(x^2), 2^3^2 = 2^(3^2), and 2^-1 is allowed.
 
-use super::code::{Function, Op, depth, run};
+use super::code::{Op, depth, run};
+use super::function::{Callable, FUNCTIONS};
 use super::names::Names;
 use super::token::{Placed, Token, tokens};
 use super::{ExpressionError, LARGEST_DEPTH, LARGEST_LENGTH};
@@ -124,6 +125,12 @@ impl Parser<'_> {
         }
         let start = self.code.len();
         self.deeper(Self::sign)?;
+        self.raise(start);
+        Ok(())
+    }
+
+    /// To the power whose code begins at `start`.
+    fn raise(&mut self, start: usize) {
         match whole_number(&self.code[start..]) {
             Some(n) => {
                 self.code.truncate(start);
@@ -131,7 +138,6 @@ impl Parser<'_> {
             }
             None => self.code.push(Op::Power),
         }
-        Ok(())
     }
 
     fn atom(&mut self) -> Parsed {
@@ -154,10 +160,14 @@ impl Parser<'_> {
     /// What follows an opening bracket.
     fn bracket(&mut self) -> Parsed {
         self.deeper(Self::sum)?;
+        self.close()
+    }
+
+    fn close(&mut self) -> Parsed {
         match self.take(')') {
             true => Ok(()),
             false if *self.peek() == Token::Sign(',') => {
-                self.refuse("one argument only: functions take no more")
+                self.refuse("a comma, where there is no function")
             }
             false => self.refuse("a closing bracket is missing"),
         }
@@ -169,16 +179,47 @@ impl Parser<'_> {
             self.code.push(op);
             return Ok(());
         }
-        let Some((_, function)) = Function::ALL.iter().find(|f| f.0 == name) else {
+        let Some((_, callable)) = FUNCTIONS.iter().find(|f| f.0 == name) else {
             return self.refuse(&self.names.unknown(name));
         };
         self.advance();
         if !self.take('(') {
-            return self.refuse(&format!("{name} is a function: write {name}(…)"));
+            let written = callable.written(name);
+            return self.refuse(&format!("{name} is a function: write {written}"));
         }
-        self.bracket()?;
-        self.code.push(Op::Call(*function));
-        Ok(())
+        self.call(name, *callable)
+    }
+
+    /// The arguments of a function, and its code: that of two arguments stands behind the second and every further one.
+    fn call(&mut self, name: &str, callable: Callable) -> Parsed {
+        let mut count = 0;
+        loop {
+            let start = self.code.len();
+            self.deeper(Self::sum)?;
+            count += 1;
+            match callable {
+                Callable::One(function) if count == 1 => self.code.push(Op::Call(function)),
+                Callable::Two(pair) | Callable::More(pair) if count > 1 => {
+                    self.code.push(Op::Pair(pair));
+                }
+                Callable::Power if count == 2 => self.raise(start),
+                _ => {}
+            }
+            let more = *self.peek() == Token::Sign(',');
+            let fits = match self.peek() {
+                Token::Sign(',') => count < *callable.arguments().end(),
+                Token::Sign(')') => callable.arguments().contains(&count),
+                _ => true,
+            };
+            if !fits {
+                let written = callable.written(name);
+                return self.refuse(&format!("the wrong number of arguments: write {written}"));
+            }
+            if !more {
+                return self.close();
+            }
+            self.advance();
+        }
     }
 }
 

@@ -21,6 +21,17 @@ pub enum Formula {
     Embedding(Vec<Expression>),
 }
 
+impl Formula {
+    /// All formulas in it.
+    pub(super) fn expressions(&self) -> Vec<&Expression> {
+        match self {
+            Self::Components(g) => g.iter().flatten().collect(),
+            Self::Graph(f) | Self::Conformal(f) => vec![f],
+            Self::Embedding(map) => map.iter().collect(),
+        }
+    }
+}
+
 /// The first pair of entries that are not the same function, as far as random points can tell, with a reason.
 pub(super) fn asymmetry(g: &[Vec<Expression>]) -> Option<(usize, usize, String)> {
     for i in 0..g.len() {

@@ -7,7 +7,7 @@ mod tests;
 pub use formula::{Formula, FormulaMetric};
 
 use super::error::{Fault, InputError, Place, text_of};
-use super::expression::{Expression, distance};
+use super::expression::{Expression, nearest};
 use serde::Deserialize;
 use std::path::Path;
 use toml::Spanned;
@@ -46,6 +46,17 @@ pub struct MetricFile {
     pub formula: Formula,
     /// R(g), if the file states it.
     pub exact_scalar_curvature: Option<Expression>,
+}
+
+impl MetricFile {
+    /// The names of the functions in the metric that have a kink or a jump, each once.
+    pub fn kinks(&self) -> Vec<&'static str> {
+        let all = self.formula.expressions().into_iter();
+        let mut names: Vec<&str> = all.flat_map(Expression::kinks).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
 }
 
 /// Reads a metric from a TOML file: `dimension`, one of `g`, `graph`, `conformal` (g = c δ), `embedding`, and perhaps
@@ -103,9 +114,11 @@ impl Source<'_> {
         for key in table.get_ref().keys() {
             let name: &str = key.get_ref();
             if !KEYS.contains(&name) {
-                let nearest = KEYS.iter().min_by_key(|known| distance(known, name));
-                let nearest = nearest.expect("there are keys");
-                let reason = format!("unknown key '{name}': the nearest known one is '{nearest}'");
+                let advice = match nearest(name, KEYS.into_iter()) {
+                    Some(nearest) => format!("did you mean '{nearest}'?"),
+                    None => format!("known are {}", KEYS.join(", ")),
+                };
+                let reason = format!("unknown key '{name}': {advice}");
                 return Err(self.fault(key.span().start, reason));
             }
         }
