@@ -30,13 +30,22 @@ struct State {
 impl Bar {
     /// An empty bar of this length, in whatever unit.
     pub fn new(length: u64) -> Self {
+        Self::drawn(length, can_draw())
+    }
+
+    /// One that nobody sees.
+    pub fn hidden(length: u64) -> Self {
+        Self::drawn(length, false)
+    }
+
+    fn drawn(length: u64, drawn: bool) -> Self {
         let state = Arc::new(Mutex::new(State {
             start: Instant::now(),
             position: 0,
             length,
             message: String::new(),
         }));
-        let drawing = std::io::stderr().is_terminal().then(|| {
+        let drawing = drawn.then(|| {
             let (stop, stopped) = channel();
             let shared = Arc::clone(&state);
             let draw = move || {
@@ -83,8 +92,14 @@ impl Drop for Bar {
     }
 }
 
+/// Is standard error a terminal that can go back to the beginning of a line? A bar has no colours: `NO_COLOR` is for others.
+fn can_draw() -> bool {
+    let dumb = std::env::var_os("TERM").is_some_and(|kind| kind == "dumb");
+    std::io::stderr().is_terminal() && !dumb
+}
+
 /// Numbers and words are right even where a thread has panicked that held them.
-fn locked(state: &Mutex<State>) -> MutexGuard<'_, State> {
+pub(super) fn locked<T>(state: &Mutex<T>) -> MutexGuard<'_, T> {
     state.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

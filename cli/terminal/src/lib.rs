@@ -2,50 +2,51 @@
 //! that are whole or not there, a bar of progress.
 
 mod bar;
+mod identity;
+mod out;
 pub mod output;
 mod stop;
+mod voice;
 
 pub use bar::{Bar, in_words};
-pub use stop::{EXIT_CODES, Out, Stop};
+pub use out::Out;
+pub use stop::{EXIT_CODES, Stop};
+pub use voice::{Loudness, Phases, Voice};
 
 use clap::error::ErrorKind;
 use clap::{Command, Parser};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Runs a program on the arguments of this process: what `run` refuses, and what is wrong with the arguments, is said in
 /// one line on standard error.
 pub fn main<A: Parser>(run: impl FnOnce(A) -> Result<(), Stop>) -> ExitCode {
     let result = match A::try_parse() {
-        Ok(arguments) => run(arguments),
-        Err(error) => instead(&error, &A::command()),
+        Ok(arguments) => run(arguments).map(|()| ExitCode::SUCCESS),
+        Err(error) => instead(&error, &mut A::command()),
     };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(stop) => {
-            // Nothing is left to be done where standard error cannot be written.
-            let _ = stop.report(A::command().get_name(), &mut std::io::stderr());
-            ExitCode::from(stop.code())
-        }
-    }
+    result.unwrap_or_else(|stop| {
+        // Nothing is left to be done where standard error cannot be written.
+        let _ = stop.report(A::command().get_name(), &mut std::io::stderr());
+        ExitCode::from(stop.code())
+    })
 }
 
 /// What is done where the arguments ask for no run: help is shown, anything else is refused.
-fn instead(error: &clap::Error, program: &Command) -> Result<(), Stop> {
+fn instead(error: &clap::Error, program: &mut Command) -> Result<ExitCode, Stop> {
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
             // A reader that has gone away has seen enough.
             let _ = error.print();
-            Ok(())
+            Ok(ExitCode::SUCCESS)
         }
-        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => Err(no_command(program)),
+        // Nothing was asked for: the short help, and a code that tells a script so.
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            let _ = write!(std::io::stderr(), "{}", program.render_help());
+            Ok(ExitCode::from(2))
+        }
         _ => Err(Stop::Usage(one_line(&error.to_string()))),
     }
-}
-
-fn no_command(program: &Command) -> Stop {
-    let shown = program.get_subcommands().filter(|of| !of.is_hide_set());
-    let names: Vec<&str> = shown.map(Command::get_name).collect();
-    Stop::Usage(format!("a command is needed: {}", names.join(", ")))
 }
 
 /// Clap's message without its advice on usage, in one line.

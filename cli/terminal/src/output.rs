@@ -1,10 +1,71 @@
 //! Files that are whole or not there.
 
+use super::identity::{Identity, folder, place};
+use super::out::Out;
 use super::stop::Stop;
 use serde::Serialize;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+
+/// A file with the option that names it.
+pub type Named<'a> = (&'a str, &'a Path);
+
+/// Those of some options that name a file.
+pub fn given<'a, const K: usize>(options: [(&'a str, &'a Option<PathBuf>); K]) -> Vec<Named<'a>> {
+    let given = |(option, path): (&'a str, &'a Option<PathBuf>)| Some((option, path.as_deref()?));
+    options.into_iter().filter_map(given).collect()
+}
+
+/// Says which files were written.
+///
+/// # Errors
+/// Those of `out`.
+pub fn show_written(out: &mut dyn Write, files: &[Named<'_>]) -> io::Result<()> {
+    let mut files = files.iter().filter(|(_, path)| !is_standard(path));
+    files.try_for_each(|(_, path)| writeln!(out, "written: {}", path.display()))
+}
+
+/// Is it standard output that is meant?
+pub fn is_standard(path: &Path) -> bool {
+    ["-", "/dev/stdout"]
+        .iter()
+        .any(|name| path == Path::new(name))
+}
+
+/// Refuses, before anything is computed, files that cannot be written, that are one and the same, or that are among those
+/// that are read: as files and not as names, so that neither a link nor another way to write a path loses anything.
+///
+/// # Errors
+/// Names the file, and the options.
+pub fn check_all(inputs: &[Named<'_>], outputs: &[Named<'_>]) -> Result<(), Stop> {
+    let mut seen: Vec<(&str, Option<Identity>)> = Vec::new();
+    for &(option, path) in outputs {
+        let shown = path.display();
+        let refuse = |reason: String| Err(Stop::Usage(format!("{option} {shown}: {reason}")));
+        if is_standard(path) {
+            if let Some((other, _)) = seen.iter().find(|(_, of)| of.is_none()) {
+                return refuse(format!("{other} goes to standard output already"));
+            }
+            seen.push((option, None));
+            continue;
+        }
+        // Nothing is lost in a device.
+        if !is_device(path) {
+            let identity = Identity::of(path);
+            if let Some((other, _)) = inputs.iter().find(|(_, of)| Identity::of(of) == identity) {
+                return refuse(format!("is the file of {other}, which would be lost"));
+            }
+            let identity = Some(identity);
+            if let Some((other, _)) = seen.iter().find(|(_, of)| *of == identity) {
+                return refuse(format!("is the file of {other} too"));
+            }
+            seen.push((option, identity));
+        }
+        check(path)?;
+    }
+    Ok(())
+}
 
 /// Refuses a file that cannot be written, before anything is computed for it.
 ///
@@ -12,7 +73,7 @@ use std::path::{Path, PathBuf};
 /// Says why it cannot.
 pub fn check(path: &Path) -> Result<(), Stop> {
     let refuse = |reason: &str| Err(Stop::Usage(format!("{}: {reason}", path.display())));
-    let path = &real(path);
+    let path = &place(path);
     if path.is_dir() || path.file_name().is_none() {
         return refuse("is a folder, not a file");
     }
@@ -54,7 +115,11 @@ pub fn write_by(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Stop> {
-    let target = real(path);
+    if is_standard(path) {
+        let mut out = BufWriter::new(Out::new());
+        return Ok(content(&mut out).and_then(|()| out.flush())?);
+    }
+    let target = place(path);
     let written = match is_device(&target) {
         // A pipe or a terminal has no place to move a file to, and nothing to lose.
         true => File::options()
@@ -80,11 +145,6 @@ fn replace(path: &Path, content: impl FnOnce(Content<'_>) -> io::Result<()>) -> 
     written
 }
 
-/// Behind links, which are to stay.
-fn real(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.into())
-}
-
 fn is_device(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|of| !of.is_file() && !of.is_dir())
 }
@@ -93,13 +153,6 @@ fn fill(file: File, content: impl FnOnce(Content<'_>) -> io::Result<()>) -> io::
     let mut out = BufWriter::new(file);
     content(&mut out)?;
     out.into_inner().map_err(io::IntoInnerError::into_error)
-}
-
-fn folder(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    }
 }
 
 /// A name in the same folder, so that the move is within one file system, and of this process alone.
@@ -130,6 +183,43 @@ mod tests {
             fs::read_dir(&folder).unwrap().count(),
             2,
             "no part is left behind"
+        );
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    /// A link to a file, a hard link, another way to write the path, a link to a file that is not there yet.
+    #[cfg(unix)]
+    #[test]
+    fn files_are_told_by_what_they_are() {
+        let folder = std::env::temp_dir().join(format!("regge-identity-{}", std::process::id()));
+        fs::create_dir_all(folder.join("inside")).unwrap();
+        let at = |name: &str| folder.join(name);
+        fs::write(at("m.msh"), "mesh").unwrap();
+        std::os::unix::fs::symlink(at("m.msh"), at("soft")).unwrap();
+        fs::hard_link(at("m.msh"), at("hard")).unwrap();
+        std::os::unix::fs::symlink("later", at("dangling")).unwrap();
+        let mesh = at("m.msh");
+        let refused = |outputs: &[&str]| {
+            let paths: Vec<PathBuf> = outputs.iter().map(|name| at(name)).collect();
+            let outputs: Vec<Named<'_>> = paths.iter().map(|path| ("--json", &**path)).collect();
+            check_all(&[("--mesh", &mesh)], &outputs).is_err()
+        };
+        for same in ["m.msh", "soft", "hard", "inside/../m.msh", "./m.msh"] {
+            assert!(refused(&[same]), "{same}");
+        }
+        for (a, b) in [
+            ("new", "inside/../new"),
+            ("dangling", "later"),
+            ("later", "dangling"),
+        ] {
+            assert!(refused(&[a, b]), "{a} {b}");
+        }
+        assert!(!refused(&["new", "other"]));
+        write(&at("dangling"), "text").unwrap();
+        assert_eq!(
+            fs::read_to_string(at("later")).unwrap(),
+            "text",
+            "a link stays a link"
         );
         fs::remove_dir_all(folder).unwrap();
     }

@@ -1,18 +1,18 @@
 //! Why the program stops before it is done: one line and an exit code.
 
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 
 /// What [`Stop::code`] gives, for the help of a program.
 pub const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 a computation failed or a file could not be written, 2 the arguments or a file that was given
-make no sense.";
+Exit codes: 0 done; 1 a computation failed, or a file could not be written; 2 the arguments make no sense, or a file
+that was given cannot be read or used.";
 
 /// Why the program stops.
 #[derive(Debug)]
 pub enum Stop {
     /// The arguments make no sense.
     Usage(String),
-    /// A file that was given makes no sense, or more is asked for than the machine or this build can do.
+    /// A file that was given cannot be read or makes no sense, or more is asked for than the machine or this build can do.
     Input(String),
     /// A computation failed, or a file could not be written.
     Failed(String),
@@ -43,38 +43,5 @@ impl From<io::Error> for Stop {
     /// Of writing to standard output.
     fn from(error: io::Error) -> Self {
         Self::Failed(format!("standard output: {error}"))
-    }
-}
-
-/// Standard output, or nowhere once nobody reads it: there may still be files to write.
-pub struct Out(io::Stdout);
-
-impl Default for Out {
-    fn default() -> Self {
-        Self(io::stdout())
-    }
-}
-
-impl Out {
-    /// Standard output.
-    pub fn new() -> Self {
-        Self::default()
-    }
-}
-
-fn read_or_not<T>(result: io::Result<T>, unread: T) -> io::Result<T> {
-    match result {
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(unread),
-        result => result,
-    }
-}
-
-impl Write for Out {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        read_or_not(self.0.write(bytes), bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        read_or_not(self.0.flush(), ())
     }
 }
