@@ -92,10 +92,14 @@ fn entry(record: &csv::StringRecord, vertices: usize) -> Result<([u32; 2], f64),
     let value: f64 = length
         .parse()
         .map_err(|_| format!("{length:?} is no length"))?;
-    let square = value * value;
-    if !(value > 0.0 && square > 0.0 && square.is_finite()) {
+    if !(value > 0.0 && value.is_finite()) {
         return Err(format!(
             "a length must be positive and finite, not {length}"
+        ));
+    }
+    if !(value * value).is_normal() {
+        return Err(format!(
+            "the square of the length {length} is beyond double precision: give all lengths in another unit"
         ));
     }
     Ok(([vertex(i)?, vertex(j)?], value))

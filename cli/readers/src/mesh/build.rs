@@ -62,7 +62,7 @@ impl MeshFile {
                     std::array::from_fn(|i| vertices[i] as usize)
                 };
                 self.check_hanging(&points, &outer.map(corners).collect::<Vec<_>>())?;
-                self.check_connected(&mesh).map(|()| mesh)
+                Ok(mesh)
             }
             Err(error) => {
                 if matches!(error, Error::NotAManifold { .. }) {
@@ -93,31 +93,7 @@ impl MeshFile {
     /// Names the cell or vertex that is no part of a manifold.
     pub fn abstract_mesh<const N: usize>(&self) -> Result<Mesh<N>, InputError> {
         let mesh = Mesh::new_abstract(self.vertices, &self.cells);
-        let mesh = mesh.map_err(|error| self.refuse(&error))?;
-        self.check_connected(&mesh).map(|()| mesh)
-    }
-
-    /// One piece only: two would have nothing to do with each other, and may be a mistake.
-    fn check_connected<const N: usize>(&self, mesh: &Mesh<N>) -> Result<(), InputError> {
-        let (mut seen, mut left) = (vec![false; mesh.cell_count()], vec![0]);
-        seen[0] = true;
-        while let Some(cell) = left.pop() {
-            for &face in mesh.simplices_of(cell, N - 1) {
-                for side in mesh.star(N - 1, face as usize) {
-                    if !seen[side.cell] {
-                        seen[side.cell] = true;
-                        left.push(side.cell);
-                    }
-                }
-            }
-        }
-        let Some(cell) = seen.iter().position(|seen| !seen) else {
-            return Ok(());
-        };
-        let reason = format!(
-            "cell {cell} is not connected with cell 0: the mesh falls apart; give each part a file of its own"
-        );
-        Err(InputError::new(&self.file, self.cell_place(cell), reason))
+        mesh.map_err(|error| self.refuse(&error))
     }
 
     /// The first N coordinates; the others must vanish.

@@ -114,14 +114,14 @@ impl<'a> Cursor<'a> {
         word.parse().map_err(|_| Fault::new(place, reason()))
     }
 
-    /// Text in double quotes, on one line.
+    /// Text in double quotes, the last thing on its line: quotes inside it are written as they are.
     pub fn quoted(&mut self) -> Result<String, Fault> {
         self.skip_space();
         let rest = &self.bytes[self.at..];
         let line = rest.split(|b| *b == b'\n').next();
         let line = line.expect("`split` gives one part at the least");
         let inside = line.strip_prefix(b"\"");
-        let closed = inside.and_then(|text| Some((text, text.iter().position(|b| *b == b'"')?)));
+        let closed = inside.and_then(|text| Some((text, text.iter().rposition(|b| *b == b'"')?)));
         let Some((inside, end)) = closed else {
             return Err(self.fault("a name in double quotes is expected"));
         };

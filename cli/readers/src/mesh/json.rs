@@ -28,32 +28,46 @@ pub fn parse(bytes: &[u8]) -> Result<MeshFile, Fault> {
             return Err(Fault::new(Place::Whole, reason));
         }
     }
-    let (vertices, coordinates) = match raw.vertices {
-        Some(points) => (points.len(), coordinates(&points, n)?),
-        None => (largest(&raw.cells)?, Vec::new()),
+    let (vertices, width, coordinates) = match raw.vertices {
+        Some(points) => (points.len(), width(&points, n)?, points.concat()),
+        None => (largest(&raw.cells)?, n, Vec::new()),
     };
     Ok(MeshFile {
         file: PathBuf::new(),
         dimension: n,
         vertices,
         coordinates,
-        width: n,
+        width,
         groups: Vec::new(),
+        notes: Vec::new(),
         vertex_places: Vec::new(),
         cell_places: Vec::new(),
         cells: raw.cells,
     })
 }
 
-fn coordinates(points: &[Vec<f64>], n: usize) -> Result<Vec<f64>, Fault> {
-    if let Some((vertex, point)) = points.iter().enumerate().find(|(_, p)| p.len() != n) {
-        let reason = format!(
-            "vertex {vertex} has {} coordinates, dimension is {n}",
-            point.len()
-        );
-        return Err(Fault::new(Place::Whole, reason));
+/// How many coordinates the points have: N or more, all as many. A mesh in the plane may be written with z.
+fn width(points: &[Vec<f64>], n: usize) -> Result<usize, Fault> {
+    let width = points.first().map_or(n, Vec::len);
+    match points
+        .iter()
+        .enumerate()
+        .find(|(_, p)| p.len() != width || width < n)
+    {
+        None => Ok(width),
+        Some((vertex, point)) => {
+            let expected = if width < n {
+                format!("dimension {n} needs {n} at least")
+            } else {
+                format!("vertex 0 has {width}")
+            };
+            let reason = format!(
+                "vertex {vertex} has {} coordinates, {expected}",
+                point.len()
+            );
+            Err(Fault::new(Place::Whole, reason))
+        }
     }
-    Ok(points.concat())
 }
 
 /// One more than the largest vertex; the cells must be able to use so many.

@@ -8,6 +8,7 @@ mod json;
 mod kinds;
 #[cfg(test)]
 mod tests;
+mod unused;
 
 use super::error::{Fault, InputError, Place, bytes_of};
 use serde::Serialize;
@@ -30,6 +31,8 @@ pub struct MeshFile {
     pub cells: Vec<Vec<usize>>,
     /// The physical groups.
     pub groups: Vec<Group>,
+    /// What was done to the file's contents that its author may want to know, a line each.
+    pub notes: Vec<String>,
     vertex_places: Vec<Place>,
     cell_places: Vec<Place>,
 }
@@ -74,6 +77,8 @@ pub fn read_mesh(file: &Path) -> Result<MeshFile, InputError> {
 
 /// [`read_mesh`] of a file that is in memory.
 pub(super) fn mesh_from(file: &Path, bytes: &[u8]) -> Result<MeshFile, InputError> {
+    // Editors of Windows put a mark before the text.
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let parsed = match bytes.iter().find(|b| !b.is_ascii_whitespace()) {
         Some(b'{') => json::parse(bytes),
         Some(b'$') => gmsh::parse(bytes),

@@ -2,9 +2,10 @@
 
 use super::super::cursor::{Cursor, Encoding};
 use super::super::kinds::Kind;
-use super::nodes::{Nodes, tag};
+use super::nodes::{Nodes, agree, head, tag};
 use super::{Reader, element};
 use crate::error::{Fault, Place};
+use std::collections::{HashMap, HashSet};
 
 /// The simplices of one dimension.
 pub struct Simplices {
@@ -14,6 +15,8 @@ pub struct Simplices {
     pub places: Vec<Place>,
     /// What tells its physical groups: 2.2 the group itself, 4.1 the entity.
     pub tags: Vec<i32>,
+    /// Further groups of simplices, by index: version 2.2 writes a simplex once for each.
+    pub more: Vec<(usize, i32)>,
 }
 
 impl Simplices {
@@ -24,6 +27,7 @@ impl Simplices {
             nodes: Vec::new(),
             places: Vec::new(),
             tags: Vec::new(),
+            more: Vec::new(),
         }
     }
 
@@ -39,6 +43,31 @@ impl Simplices {
 
     fn nodes(&self, i: usize) -> &[u64] {
         &self.nodes[i * self.width..(i + 1) * self.width]
+    }
+
+    /// Makes one of the simplices that are there several times, each time for another group.
+    ///
+    /// # Errors
+    /// One is there twice for the same group, if that is not `allowed`.
+    pub fn merge(&mut self, allowed: bool) -> Result<(), Fault> {
+        let old = std::mem::replace(self, Self::new(self.width));
+        let mut first: HashMap<[u64; 4], usize> = HashMap::with_capacity(old.len());
+        let mut seen = HashSet::new();
+        for i in 0..old.len() {
+            let (tag, place) = (old.tags[i], old.places[i]);
+            let one = *first.entry(key(old.nodes(i))).or_insert(self.len());
+            if one == self.len() {
+                self.nodes.extend(old.nodes(i));
+                self.places.push(place);
+                self.tags.push(tag);
+            } else if self.tags[one] != tag && seen.insert((one, tag)) {
+                self.more.push((one, tag));
+            } else if !allowed {
+                let reason = "an element that is there already, in the same physical group";
+                return Err(Fault::new(place, reason));
+            }
+        }
+        Ok(())
     }
 
     /// The vertices of one, by their index.
@@ -60,6 +89,7 @@ impl Simplices {
 impl Reader {
     /// Version 2.2. Text: one element a line. Binary: blocks of elements with one header.
     pub(super) fn elements_2(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        let start = cursor.place();
         let total: u64 = cursor.spelled("the number of elements")?;
         cursor.finish_line();
         let ascii = cursor.encoding == Encoding::Ascii;
@@ -91,16 +121,13 @@ impl Reader {
             }
             done += u64::from(block.unsigned_abs());
         }
-        Ok(())
+        agree(start, total, done as usize, "elements")
     }
 
     /// Version 4.1: blocks of elements of one entity.
     pub(super) fn elements_4(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        cursor.finish_line();
-        let blocks = cursor.size("the number of blocks")?;
-        for what in ["the number of elements", "the least tag", "the largest tag"] {
-            cursor.size(what)?;
-        }
+        let (start, [blocks, total]) = head(cursor, "the number of elements")?;
+        let mut found = 0;
         for _ in 0..blocks {
             cursor.int("a block's dimension")?;
             let entity = cursor.int("a block's tag")?;
@@ -114,8 +141,9 @@ impl Reader {
                     cursor.size(what)
                 })?;
             }
+            found += count;
         }
-        Ok(())
+        agree(start, total, found, "elements")
     }
 
     /// The nodes of one element.
@@ -161,6 +189,14 @@ pub fn lost_triangle(triangles: &Simplices, tetrahedra: &Simplices) -> Option<Pl
             faces.binary_search(&face).is_err()
         })
         .map(|i| triangles.places[i])
+}
+
+/// The nodes of a simplex whatever their order.
+fn key(nodes: &[u64]) -> [u64; 4] {
+    let mut key = [0; 4];
+    key[..nodes.len()].copy_from_slice(nodes);
+    key.sort_unstable();
+    key
 }
 
 fn sorted(node: impl Fn(usize) -> u64) -> [u64; 3] {

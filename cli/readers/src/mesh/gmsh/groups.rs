@@ -71,7 +71,8 @@ impl Groups {
     ) -> Result<Vec<Group>, Fault> {
         let mut all: BTreeMap<(usize, i32), Group> = BTreeMap::new();
         for (k, list) in simplices.iter().enumerate().take(cells + 1) {
-            for (i, &tag) in list.tags.iter().enumerate() {
+            let first = list.tags.iter().copied().enumerate();
+            for (i, tag) in first.chain(list.more.iter().copied()) {
                 for &group in self.of(k, &tag) {
                     let group = all
                         .entry((k, group))

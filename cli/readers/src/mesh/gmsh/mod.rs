@@ -101,7 +101,7 @@ fn header(cursor: &mut Cursor<'_>) -> Result<bool, Fault> {
 }
 
 impl Reader {
-    fn finish(self) -> Result<MeshFile, Fault> {
+    fn finish(mut self) -> Result<MeshFile, Fault> {
         let [_, _, triangles, tetrahedra] = &self.simplices;
         if let Some(place) = elements::lost_triangle(triangles, tetrahedra) {
             let reason =
@@ -109,6 +109,11 @@ impl Reader {
             return Err(Fault::new(place, reason));
         }
         let dimension = if tetrahedra.is_empty() { 2 } else { 3 };
+        if self.old {
+            for (k, simplices) in self.simplices.iter_mut().enumerate() {
+                simplices.merge(k != dimension)?;
+            }
+        }
         let elements = &self.simplices[dimension];
         if elements.is_empty() {
             return Err(Fault::new(
@@ -128,17 +133,20 @@ impl Reader {
         } else {
             &mut tetrahedra
         };
-        Ok(MeshFile {
+        let mut mesh = MeshFile {
             file: PathBuf::new(),
             dimension,
             vertices: self.nodes.len(),
             width: 3,
             cells,
             groups,
+            notes: Vec::new(),
             cell_places: std::mem::take(&mut elements.places),
             coordinates: self.nodes.coordinates,
             vertex_places: self.nodes.places,
-        })
+        };
+        mesh.drop_unused();
+        Ok(mesh)
     }
 }
 

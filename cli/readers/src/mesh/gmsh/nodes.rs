@@ -67,15 +67,11 @@ impl Nodes {
 
     /// Version 4.1: blocks, in each the tags, then the coordinates.
     pub fn read_4(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        cursor.finish_line();
-        let blocks = cursor.size("the number of blocks")?;
-        for what in ["the number of nodes", "the least tag", "the largest tag"] {
-            cursor.size(what)?;
-        }
+        let (place, [blocks, total]) = head(cursor, "the number of nodes")?;
         for _ in 0..blocks {
             self.block(cursor)?;
         }
-        Ok(())
+        agree(place, total, self.len(), "nodes")
     }
 
     fn block(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
@@ -98,6 +94,29 @@ impl Nodes {
             self.add(place, tag, x)?;
         }
         Ok(())
+    }
+}
+
+/// The first line of $Nodes or $Elements in version 4.1, with its place: how many blocks and how many things.
+pub fn head(cursor: &mut Cursor<'_>, what: &str) -> Result<(Place, [u64; 2]), Fault> {
+    cursor.finish_line();
+    cursor.align();
+    let place = cursor.place();
+    let counts = [cursor.size("the number of blocks")?, cursor.size(what)?];
+    for what in ["the least tag", "the largest tag"] {
+        cursor.size(what)?;
+    }
+    Ok((place, counts))
+}
+
+/// Refuses a section in which there is not as much as its first line says: something is missing, or too much.
+pub fn agree(place: Place, stated: u64, found: usize, what: &str) -> Result<(), Fault> {
+    match stated == found as u64 {
+        true => Ok(()),
+        false => {
+            let reason = format!("{stated} {what} are announced, {found} are there");
+            Err(Fault::new(place, reason))
+        }
     }
 }
 
