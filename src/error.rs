@@ -72,7 +72,7 @@ impl fmt::Display for Error {
             Self::Indefinite { cell, point, pivot } => write!(
                 f,
                 "the metric is not positive definite in cell {cell} at barycentric point {point:?} \
-                 (pivot {pivot:e}): refine the mesh or check the metric"
+                 (pivot {pivot:e}): refine the mesh, raise the degree or check the metric"
             ),
             Self::Edge {
                 vertices: [a, b],

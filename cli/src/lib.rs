@@ -4,6 +4,7 @@
 
 pub mod curvature;
 pub mod map;
+pub mod npz;
 pub mod plot;
 mod svg;
 pub mod vtu;

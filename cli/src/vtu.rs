@@ -3,9 +3,8 @@
 use crate::curvature::Fields;
 use std::io::{self, Write};
 
-/// VTK's numbers for a triangle and a tetrahedron.
-const TRIANGLE: u8 = 5;
-const TETRAHEDRON: u8 = 10;
+/// VTK's numbers for a vertex, a line, a triangle and a tetrahedron.
+const KINDS: [u8; 4] = [1, 3, 5, 10];
 
 /// An array of the file: its name, its type, how many components, its bytes.
 struct Array<'a> {
@@ -62,7 +61,7 @@ impl Data<'_> {
 pub fn write(fields: &Fields, out: &mut dyn Write) -> io::Result<()> {
     let corners = fields.dimension + 1;
     let cells = fields.cells.len() / corners;
-    let kind = if corners == 3 { TRIANGLE } else { TETRAHEDRON };
+    let kind = KINDS[fields.dimension];
     let double = |name, components, list| Array {
         name,
         kind: "Float64",

@@ -34,7 +34,6 @@ fn files(folder: &Path) -> Vec<String> {
 fn bad_arguments_are_one_line_and_code_2() {
     let folder = folder("bad");
     for (arguments, expected) in [
-        ("", "reproduce, converge"),
         ("foo", "foo"),
         ("reproduce", "<TARGET>"),
         ("reproduce table9", "table1, table2, figure2"),
@@ -55,7 +54,7 @@ fn bad_arguments_are_one_line_and_code_2() {
             "--quadrature",
         ),
         ("reproduce table1 --quadrature 1000", "0..=60"),
-        ("reproduce table1 --json a --plot a", "one file"),
+        ("reproduce table1 --json a.svg --plot a.svg", "--json too"),
         ("converge", "--metric"),
         ("converge --metric euclid", "graph-quartic"),
         ("converge --metric flat --quantity size", "curvature-error"),
@@ -64,7 +63,7 @@ fn bad_arguments_are_one_line_and_code_2() {
             "converge --metric flat --json missing/x.json",
             "no such folder",
         ),
-        ("converge --metric flat --plot .", "is a folder"),
+        ("converge --metric flat --json .", "is a folder"),
     ] {
         let output = regge(&folder, arguments);
         let said = String::from_utf8(output.stderr).expect("text");

@@ -284,13 +284,14 @@ fn nothing_is_done_twice() {
         quadrature: None,
         test_degree: Some(2),
         norm: Some("hm2"),
+        trust_stated: false,
         boundary: Boundary::GaussBonnet,
         details: true,
         fields: true,
     };
     let phases = std::cell::RefCell::new(Vec::new());
     let report = curvature(&mesh, &source, &request, &|phase| {
-        phases.borrow_mut().push(phase)
+        phases.borrow_mut().push(phase.to_owned())
     });
     let report = report.expect("a curvature");
     let mut once = phases.borrow().clone();

@@ -57,10 +57,6 @@ fn bad_input_is_one_line_and_code_2() {
             "no coordinates",
         ),
         (
-            r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1],[5,0],[6,0],[5,1]], "cells": [[0,1,2],[3,4,5]]}"#,
-            "cell 1 is not connected with cell 0",
-        ),
-        (
             r#"{"dimension": 2, "vertices": [[0,0],[1,0],[0,1e999]], "cells": [[0,1,2]]}"#,
             "out of range",
         ),
@@ -155,7 +151,7 @@ fn what_cannot_be_drawn_or_written_is_refused_first() {
     let mesh = "--mesh m.json --lengths l.csv";
     refused(&folder, &format!("{mesh} --vtu f.vtu"), "no coordinates");
     refused(&folder, &format!("{mesh} --plot f.pdf"), ".svg or .png");
-    refused(&folder, &format!("{mesh} --json f --csv f"), "two things");
+    refused(&folder, &format!("{mesh} --json f --csv f"), "--json too");
     refused(&folder, &format!("{mesh} --boundary all"), "gauss-bonnet");
     refused(&folder, &format!("{mesh} --json ."), "is a folder");
     let found = curvature(&folder, &format!("{mesh} --boundary gauss-bonnet"));

@@ -87,7 +87,10 @@ impl Factor {
                 MemStack::new(&mut memory),
                 Default::default(),
             )
-            .map_err(|e| Error::Solver(format!("{n} unknowns, not positive definite: {e:?}")))?;
+            .map_err(|_| Error::Solver(format!(
+                "{n} unknowns: the matrix is positive definite, but not to double precision: cells that are stretched, or \
+                 a high degree, are too much for it; rounder cells or a lower degree may do"
+            )))?;
         Ok(Self { symbolic, values })
     }
 

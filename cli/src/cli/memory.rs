@@ -1,7 +1,7 @@
 //! What does not fit into memory is refused before it begins.
 
-use regge_study::{Case, Study};
 use regge_terminal::Stop;
+use std::fs;
 
 /// Bytes in a GiB.
 const GIB: f64 = (1u64 << 30) as f64;
@@ -11,7 +11,7 @@ const GIB: f64 = (1u64 << 30) as f64;
 #[group(skip)]
 pub struct Args {
     /// Refuse what is estimated to need more memory than this [default: what the system says is available]
-    #[arg(long, value_name = "GIB", allow_negative_numbers = true, value_parser = positive)]
+    #[arg(long, global = true, value_name = "GIB", allow_negative_numbers = true, value_parser = positive)]
     memory_limit: Option<f64>,
 }
 
@@ -24,33 +24,76 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 impl Args {
-    /// Refuses a study that has a row for which memory does not suffice.
-    pub fn check(&self, study: &Study) -> Result<(), Stop> {
-        let Some(limit) = self.memory_limit.map(|gib| gib * GIB).or_else(available) else {
-            return Ok(());
-        };
-        for &case in &study.cases {
-            let need = study.memory(case);
-            if need > limit {
-                let Case { degree, level } = case;
-                return Err(Stop::Input(format!(
-                    "degree {degree}, level {level} needs about {:.1} GiB of memory, of {:.1} (see --memory-limit and \
-                     --levels)",
-                    need / GIB,
-                    limit / GIB
-                )));
-            }
+    /// Refuses what needs more bytes than there are; `advice` is what else may be done.
+    pub fn check(&self, what: &str, need: f64, advice: &str) -> Result<(), Stop> {
+        let limit = self.memory_limit.map(|gib| gib * GIB).or_else(available);
+        match limit.filter(|limit| need > *limit) {
+            None => Ok(()),
+            Some(limit) => Err(Stop::Input(format!(
+                "{what} needs about {} of memory, of {} ({advice}, or --memory-limit if the estimate is wrong)",
+                in_words(need),
+                in_words(limit),
+            ))),
         }
-        Ok(())
     }
 }
 
-/// What the system says is available; None where it does not say.
+/// A number of bytes in the unit that leaves two digits at the least.
+fn in_words(bytes: f64) -> String {
+    match bytes {
+        10e9.. => format!("{:.0} GiB", bytes / GIB),
+        1e9.. => format!("{:.1} GiB", bytes / GIB),
+        1e6.. => format!("{:.0} MiB", bytes / (GIB / 1024.0)),
+        _ => format!("{bytes:.0} bytes"),
+    }
+}
+
+/// The least of what the system, the shell and the container leave; None where none of them says.
 fn available() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let limits = [free(), address_space(), container()];
+    limits.into_iter().flatten().reduce(f64::min)
+}
+
+/// What the system has.
+fn free() -> Option<f64> {
+    let text = fs::read_to_string("/proc/meminfo").ok()?;
     let line = text
         .lines()
         .find_map(|line| line.strip_prefix("MemAvailable:"))?;
-    let kib: f64 = line.split_whitespace().next()?.parse().ok()?;
-    Some(kib * 1024.0)
+    Some(number(line)? * 1024.0)
+}
+
+/// What `ulimit -v` leaves. Threads' stacks and the allocator take their part of it too: a quarter is kept for them.
+fn address_space() -> Option<f64> {
+    let text = fs::read_to_string("/proc/self/limits").ok()?;
+    let line = text
+        .lines()
+        .find_map(|line| line.strip_prefix("Max address space"))?;
+    let pages = number(&fs::read_to_string("/proc/self/statm").ok()?)?;
+    // "unlimited" is no number.
+    Some(0.75 * (number(line)? - 4096.0 * pages).max(0.0))
+}
+
+/// What the control group leaves: a container's limit, or a batch system's.
+fn container() -> Option<f64> {
+    let read = |name: &str| number(&fs::read_to_string(format!("/sys/fs/cgroup/{name}")).ok()?);
+    Some((read("memory.max")? - read("memory.current")?).max(0.0))
+}
+
+/// The first word, if it is a number.
+fn number(text: &str) -> Option<f64> {
+    text.split_whitespace().next()?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_numbers_are_not_nothing() {
+        assert_eq!(in_words(2e7), "19 MiB");
+        assert_eq!(in_words(1.5 * GIB), "1.5 GiB");
+        assert_eq!(in_words(100.0 * GIB), "100 GiB");
+        assert_eq!(in_words(1000.0), "1000 bytes");
+    }
 }

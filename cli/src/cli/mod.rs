@@ -1,10 +1,14 @@
 //! The command line: arguments in, tables, files and exit codes out. Only here is anything printed.
 
+mod common;
 mod from_files;
+mod memory;
+mod picture;
 mod study;
 mod values;
 
 use clap::{Parser, Subcommand};
+use common::Common;
 use from_files::{action, curvature, einstein};
 use regge_curvature::scalar::Lanes;
 use regge_terminal::{EXIT_CODES, Stop};
@@ -24,16 +28,28 @@ Examples:
   regge einstein --mesh m.msh --lengths l.csv --json e.json
   regge action --mesh m.msh --lengths l.csv --csv gradient.csv
 
-What the paper states is checked by another program: cargo run --release -p regge-verify";
+Every command has its own --help, with examples. What the paper states is checked by another program:
+cargo run --release -p regge-verify";
 
+/// Curvature of Regge metrics, from files or as in the paper.
+///
 /// Distributional scalar curvature of Regge metrics: recomputes the numbers of the paper
 /// "Finite element approximation of scalar curvature in arbitrary dimension" (Gawlik, Neunteufel)
 /// from nothing but the formula of a metric, and the same for other metrics.
 #[derive(Parser)]
-#[command(name = "regge", version, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"), subcommand_required = true)]
+#[command(
+    name = "regge",
+    version,
+    after_help = "Example: regge curvature --mesh m.msh --metric g.toml --plot c.svg\nMore: regge --help, regge COMMAND --help",
+    after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"),
+    arg_required_else_help = true,
+    subcommand_required = true
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    common: Common,
 }
 
 #[derive(Subcommand)]
@@ -54,20 +70,21 @@ enum Command {
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    regge_terminal::main(|cli: Cli| run(cli.command))
+    regge_terminal::main(run)
 }
 
-fn run(command: Command) -> Result<(), Stop> {
+fn run(Cli { command, common }: Cli) -> Result<(), Stop> {
     let computes = !matches!(command, Command::Verify { .. });
     if let Some(line) = Lanes::unused_width().filter(|_| computes) {
-        eprintln!("note: {line}");
+        common.voice(&[]).note(&line);
     }
+    common.set_threads()?;
     match command {
-        Command::Reproduce(args) => args.run(),
-        Command::Converge(args) => args.run(),
-        Command::Curvature(args) => args.run(),
-        Command::Einstein(args) => args.run(),
-        Command::Action(args) => args.run(),
+        Command::Reproduce(args) => args.run(&common),
+        Command::Converge(args) => args.run(&common),
+        Command::Curvature(args) => args.run(&common),
+        Command::Einstein(args) => args.run(&common),
+        Command::Action(args) => args.run(&common),
         Command::Verify { arguments } => Err(elsewhere(&arguments)),
     }
 }

@@ -4,6 +4,20 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use regge_study::Named;
 use std::str::FromStr;
 
+/// How a Regge metric is made unless told otherwise; the paper's tables have their own.
+pub const DEFAULT_INTERPOLANT: &str = "canonical";
+
+/// A list without what is in it already.
+pub fn unique<T: Clone>(list: &[T], same: impl Fn(&T, &T) -> bool) -> Vec<T> {
+    let mut all: Vec<T> = Vec::with_capacity(list.len());
+    for one in list {
+        if !all.iter().any(|other| same(one, other)) {
+            all.push(one.clone());
+        }
+    }
+    all
+}
+
 /// Levels k, ascending: `0..=7`, `0..8` or `3`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Levels(pub Vec<u32>);

@@ -60,9 +60,9 @@ fn report<const N: usize>(
     quadrature: Option<usize>,
     phase: Phase<'_>,
 ) -> Result<ActionReport, CurvatureError> {
-    phase("summing the action");
     let (g_h, mesh) = (&given.g_h, given.g_h.space().mesh());
     let parts = settle_sums(g_h, quadrature, exact_order(g_h, 1), &mut |order| {
+        phase(&format!("summing the action by rules of order {order}"));
         let action = regge_action(g_h, mesh, &Rules::new(N, order));
         Ok([action.interior, action.boundary])
     })?;

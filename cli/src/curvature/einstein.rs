@@ -59,10 +59,12 @@ fn report<const N: usize>(
     quadrature: Option<usize>,
     phase: Phase<'_>,
 ) -> Result<EinsteinReport, CurvatureError> {
-    phase("testing the Einstein tensor");
     let (g_h, space) = (&given.g_h, given.g_h.space());
     // Where the metric is constant, everything is constant on the hinges.
     let sums = settle_sums(g_h, quadrature, exact_order(g_h, 1), &mut |order| {
+        phase(&format!(
+            "testing the Einstein tensor by rules of order {order}"
+        ));
         Ok(einstein_against(g_h, space, &Rules::new(N, order)))
     })?;
     let functions = functions(given, &sums.value);

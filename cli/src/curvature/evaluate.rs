@@ -8,7 +8,7 @@ use super::settle::{Settled, exact_order, settle_sums};
 use super::simplices::{cells, faces, hinges, is_tested, projected};
 use super::smooth::check_formula;
 use super::sums::{AllSums, Evaluation, Tests};
-use super::{Boundary, CurvatureError, Request};
+use super::{Boundary, CurvatureError, Request, topology};
 use regge_curvature::functional::Rules;
 use regge_curvature::quadrature::Rule;
 use regge_curvature::spaces::{Indicators, Lagrange};
@@ -23,7 +23,10 @@ pub fn report<const N: usize>(
     let norm = match request.norm {
         Some(name) => {
             phase("setting up the norm");
-            Some((name, Norm::new(given, request.degree, name)?))
+            Some((
+                name,
+                Norm::new(given, request.degree, name, request.trust_stated)?,
+            ))
         }
         None => None,
     };
@@ -36,8 +39,13 @@ pub fn report<const N: usize>(
         norm: norm.as_ref().map(|(_, norm)| &*norm.norm),
         boundary: request.boundary == Boundary::GaussBonnet,
     };
-    phase("summing the curvature");
-    let sums = evaluate(given, request, &tests, norm.as_ref().map(|(_, norm)| norm))?;
+    let sums = evaluate(
+        given,
+        request,
+        &tests,
+        norm.as_ref().map(|(_, norm)| norm),
+        phase,
+    )?;
     let mut report = head(given, request, &sums);
     report.vertices = vertex_sums(&tests.hats, &sums.value.hats, request.boundary);
     if let Some((name, norm)) = &norm {
@@ -60,11 +68,13 @@ fn evaluate<const N: usize>(
     request: &Request,
     tests: &Tests<'_, N>,
     norm: Option<&Norm<'_, N>>,
+    phase: Phase<'_>,
 ) -> Result<Settled<Evaluation>, CurvatureError> {
     let smooth = |rules: &Rules| norm.map_or(Vec::new(), |norm| norm.smooth_load(rules));
     // The curvature of the smooth metric is no polynomial.
     let exact = exact_order(&given.g_h, tests.degree()).filter(|_| norm.is_none());
     settle_sums(&given.g_h, request.quadrature, exact, &mut |order| {
+        phase(&format!("summing the curvature by rules of order {order}"));
         let evaluation = tests.evaluate(&given.g_h, &smooth, &Rules::new(N, order));
         let load = evaluation.load.iter().flatten();
         if let (Some(norm), false) = (norm, load.copied().all(f64::is_finite)) {
@@ -85,13 +95,15 @@ fn simplex_by_simplex<const N: usize>(
     let each = tests.simplices.as_ref().zip(sums.value.simplices.as_ref());
     let (simplices, values) = each.expect("simplices are evaluated where they are asked for");
     let cells = cells(simplices, values);
+    if request.details {
+        report.hinges = Some(hinges(&given.g_h, sums.order));
+        report.faces = Some(faces(given.g_h.space().mesh(), simplices, values));
+    }
     if request.fields {
         let rules = Rules::new(N, sums.order);
         report.fields = Some(fields(given, report, &rules, cells.clone()));
     }
     if request.details {
-        report.hinges = Some(hinges(&given.g_h, sums.order));
-        report.faces = Some(faces(given.g_h.space().mesh(), simplices, values));
         report.cells = Some(cells);
     }
 }
@@ -103,9 +115,17 @@ fn head<const N: usize>(
     sums: &Settled<Evaluation>,
 ) -> CurvatureReport {
     let mesh = given.g_h.space().mesh();
-    let total = sums.value.hats.total().iter().sum();
-    let flat = 4.0 * std::f64::consts::PI * mesh.euler_characteristic() as f64;
-    let complete = mesh.is_closed() || request.boundary == Boundary::GaussBonnet;
+    let totals = sums.value.hats.total();
+    let total = totals.iter().sum();
+    let residual = |closed: bool, total: f64, chi: i64| {
+        let complete = closed || request.boundary == Boundary::GaussBonnet;
+        (N == 2 && complete).then_some(total - 4.0 * std::f64::consts::PI * chi as f64)
+    };
+    let mut pieces = topology::pieces(mesh, &totals);
+    for piece in &mut pieces {
+        let (total, chi) = (piece.total_curvature, piece.euler_characteristic);
+        piece.gauss_bonnet_residual = residual(piece.closed, total, chi);
+    }
     CurvatureReport {
         about: About::of(given, sums),
         cell_count: mesh.cell_count(),
@@ -116,7 +136,8 @@ fn head<const N: usize>(
         },
         total_curvature: total,
         euler_characteristic: mesh.euler_characteristic(),
-        gauss_bonnet_residual: (N == 2 && complete).then_some(total - flat),
+        gauss_bonnet_residual: residual(mesh.is_closed(), total, mesh.euler_characteristic()),
+        pieces,
         physical_groups: given.file.groups.clone(),
         ..CurvatureReport::default()
     }

@@ -52,15 +52,23 @@ pub fn fields<const N: usize>(
 
 /// The sums of the hat functions, and R_h.
 fn on_vertices(report: &CurvatureReport, vertices: usize) -> Vec<Field> {
-    let mut lists = [(); 4].map(|()| vec![f64::NAN; vertices]);
+    let mut lists = [(); 5].map(|()| vec![f64::NAN; vertices]);
     for VertexSums { vertex, sums } in &report.vertices {
-        let values = [sums.cells, sums.faces, sums.hinges, sums.total];
+        let boundary = sums.boundary.unwrap_or(f64::NAN);
+        let values = [sums.cells, sums.faces, sums.hinges, sums.total, boundary];
         for (list, value) in lists.iter_mut().zip(values) {
             list[*vertex] = value;
         }
     }
-    let names = ["sum_cells", "sum_faces", "sum_hinges", "sum_total"];
-    let mut fields: Vec<Field> = names.into_iter().zip(lists).collect();
+    let names = [
+        "sum_cells",
+        "sum_faces",
+        "sum_hinges",
+        "sum_total",
+        "sum_boundary",
+    ];
+    let count = if report.boundary == "none" { 4 } else { 5 };
+    let mut fields: Vec<Field> = names.into_iter().zip(lists).take(count).collect();
     if let Some(r_h) = &report.r_h {
         // The coefficients of the vertices come first, and are the values there.
         let values = r_h.coefficients.iter().take(vertices);

@@ -1,7 +1,9 @@
 //! A Regge metric on the mesh of a file, of whatever dimension, and what is to be done with it.
 
-use super::{CurvatureError, failed, input, smooth};
+use super::{CurvatureError, failed, input, smooth, topology};
+use regge_curvature::Error;
 use regge_curvature::interpolate::Interpolant;
+use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Smooth;
 use regge_curvature::quadrature::Rule;
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
@@ -21,7 +23,7 @@ pub enum Source {
 }
 
 /// Is told what begins.
-pub type Phase<'a> = &'a dyn Fn(&'static str);
+pub type Phase<'a> = &'a dyn Fn(&str);
 
 /// The smooth metric that was interpolated.
 pub struct Origin<'a, const N: usize> {
@@ -41,6 +43,8 @@ pub struct Given<'a, const N: usize> {
     pub interpolant: &'static str,
     /// From what.
     pub origin: Option<Origin<'a, N>>,
+    /// What is to be known beside the numbers, a line each.
+    pub notes: Vec<String>,
 }
 
 /// Does a thing in the dimension of a mesh file: `by_dimension!(file, N => expression)`, where N is a constant in the expression.
@@ -59,9 +63,14 @@ macro_rules! by_dimension {
                 const $n: usize = 4;
                 $do
             }
+            5 => {
+                const $n: usize = 5;
+                $do
+            }
             n => Err($crate::curvature::CurvatureError::Input(format!(
-                "{}: dimension {n}; the program is built for 2, 3 and 4",
-                $file.file.display()
+                "{}: dimension {n}; the program is built for 2 to {}",
+                $file.file.display(),
+                $crate::curvature::LARGEST_DIMENSION
             ))),
         }
     };
@@ -109,6 +118,7 @@ impl<'a, const N: usize> Given<'a, N> {
             g_h: space.function(squares).map_err(failed)?,
             interpolant: "lengths",
             origin: None,
+            notes: notes(file, &mesh, None),
         })
     }
 
@@ -128,7 +138,7 @@ impl<'a, const N: usize> Given<'a, N> {
         // The interpolant refuses what is not positive definite where it looks; the formula may be to blame for it.
         let g_h = g_h.map_err(|error| match blame(&g, degree) {
             Err(formula) => input(formula),
-            Ok(()) => failed(error),
+            Ok(()) => lost(error, interpolant, degree),
         })?;
         Ok(Self {
             file,
@@ -138,15 +148,50 @@ impl<'a, const N: usize> Given<'a, N> {
                 metric: g,
                 scalar_curvature: metric.exact_scalar_curvature.as_ref(),
             }),
+            notes: notes(file, &mesh, kinks(metric)),
         })
     }
 }
 
+/// The formula is a metric, what was made of it is not.
+fn lost(error: Error, interpolant: Interpolant, degree: usize) -> CurvatureError {
+    let Error::Indefinite { cell, point, .. } = &error else {
+        return failed(error);
+    };
+    let name = interpolant.name();
+    let other = match (degree, name) {
+        (0, "geodesic") => "refine the mesh there".to_owned(),
+        (0, _) => {
+            "--degree 1, or --interpolant geodesic, may do; else refine the mesh there".into()
+        }
+        _ => format!("--degree {} may do; else refine the mesh there", degree + 1),
+    };
+    CurvatureError::Failed(format!(
+        "cell {cell}: the {name} interpolant of degree {degree} is not positive definite at the barycentric point \
+         {point:?}, though the metric is: the cell is too large or too thin for it; {other}"
+    ))
+}
+
+/// What is to be known of the file, the mesh and the metric.
+fn notes<const N: usize>(file: &MeshFile, mesh: &Mesh<N>, metric: Option<String>) -> Vec<String> {
+    let all = file.notes.iter().cloned();
+    all.chain(topology::odd_links(mesh)).chain(metric).collect()
+}
+
+/// Says that a formula is not smooth everywhere, if it is not.
+fn kinks(metric: &MetricFile) -> Option<String> {
+    let names = metric.kinks();
+    (!names.is_empty()).then(|| {
+        format!(
+            "the metric uses {}, which has a kink: there the derivatives of one side are taken, and no curvature that is \
+             concentrated on it is seen in the smooth metric",
+            names.join(", ")
+        )
+    })
+}
+
 /// Is the formula itself no metric somewhere that the interpolant looks at it?
-fn blame<const N: usize>(
-    g: &Smooth<FormulaMetric<'_>, N>,
-    degree: usize,
-) -> Result<(), regge_curvature::Error> {
+fn blame<const N: usize>(g: &Smooth<FormulaMetric<'_>, N>, degree: usize) -> Result<(), Error> {
     smooth::check_values(g, &Rule::new(N, 2 * degree + 2))?;
     smooth::check_edges(g, degree)?;
     // The rule of the local projections.

@@ -1,6 +1,7 @@
 //! From a mesh and a metric, or a mesh and edge lengths, to the distributional curvature.
 
 mod action;
+mod arrays;
 mod drawn;
 mod einstein;
 mod evaluate;
@@ -12,20 +13,26 @@ mod settle;
 mod simplices;
 mod smooth;
 mod sums;
+mod topology;
 
 pub use action::{ActionReport, EdgeDerivative, action};
+pub use arrays::Arrays;
 pub use drawn::Fields;
 pub use einstein::{EinsteinReport, EinsteinSums, einstein};
 pub use given::{Phase, Source};
+pub use norm::LARGEST_WITH_NORM;
 pub use report::{
-    About, CurvatureReport, FaceJump, HingeDefect, NormError, Parts, Projected, ProjectedCurvature,
-    QuadratureUsed, TestSums, VertexSums,
+    About, CurvatureReport, FaceJump, HingeDefect, NormError, Parts, Piece, Projected,
+    ProjectedCurvature, QuadratureUsed, TestSums, VertexSums,
 };
 
 use given::{Given, by_dimension};
 use regge_readers::InputError;
 use regge_readers::mesh::MeshFile;
 use std::fmt;
+
+/// The largest N that the program is built for.
+pub const LARGEST_DIMENSION: usize = 5;
 
 /// What is done on the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +54,8 @@ pub struct Request {
     pub test_degree: Option<usize>,
     /// The error in this norm too, a name of `regge_curvature::norm::Kind`.
     pub norm: Option<&'static str>,
+    /// Take a stated R for the metric's own without a look?
+    pub trust_stated: bool,
     /// The boundary's part.
     pub boundary: Boundary,
     /// Hinges, faces, cells and R_h one by one?

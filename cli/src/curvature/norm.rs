@@ -3,11 +3,15 @@
 use super::given::{Given, Origin};
 use super::report::{NormError, QuadratureUsed};
 use super::settle::{LOAD_SETTLES, SUMS_SETTLE, Settled};
-use super::smooth::stated_curvature;
+use super::smooth::{check_stated, stated_curvature};
 use super::sums::Evaluation;
-use super::{CurvatureError, failed};
+use super::{CurvatureError, failed, input};
 use regge_curvature::functional::{Rules, smooth_curvature};
 use regge_curvature::norm::{DualNorm, Kind, Setting, metric_values};
+use regge_curvature::quadrature::Rule;
+
+/// The largest N that norms are for.
+pub const LARGEST_WITH_NORM: usize = 3;
 
 /// A norm of the table, set up for a Regge metric.
 pub struct Norm<'a, const N: usize> {
@@ -20,12 +24,33 @@ pub struct Norm<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Norm<'a, N> {
+    /// Are there norms in this dimension? As a constant, so that nothing of them is compiled where there are none.
+    const EXISTS: bool = N <= LARGEST_WITH_NORM;
+
     /// The norm of this name.
-    pub fn new(given: &'a Given<'a, N>, degree: usize, name: &str) -> Result<Self, CurvatureError> {
+    ///
+    /// # Errors
+    /// There is no smooth metric, its stated curvature is not its own (which is not looked at if it is `trusted`), or the norm
+    /// cannot be set up.
+    pub fn new(
+        given: &'a Given<'a, N>,
+        degree: usize,
+        name: &str,
+        trusted: bool,
+    ) -> Result<Self, CurvatureError> {
+        if !Self::EXISTS {
+            let reason =
+                format!("--norm {name} is for dimensions up to {LARGEST_WITH_NORM}, not {N}");
+            return Err(CurvatureError::Input(reason));
+        }
         let Some(origin) = &given.origin else {
             let reason = "the error needs a smooth metric to compare with: give --metric";
             return Err(CurvatureError::Input(reason.into()));
         };
+        if let Some(exact) = origin.scalar_curvature.filter(|_| !trusted) {
+            let rule = Rule::new(N, Rules::default_order(degree));
+            check_stated(&origin.metric, exact, &rule).map_err(input)?;
+        }
         let kind = Kind::<N>::named(name).expect("--norm takes names of the table");
         let (degree, metric) = ((kind.degree)(degree), metric_values(&origin.metric));
         let setting = Setting::new(given.g_h.space().mesh(), degree).with_metric(&metric);
@@ -39,6 +64,9 @@ impl<'a, const N: usize> Norm<'a, N> {
 
     /// ∫ R v ω of the smooth metric for the norm's test functions.
     pub fn smooth_load(&self, rules: &Rules) -> Vec<f64> {
+        if !Self::EXISTS {
+            return Vec::new();
+        }
         let (g, space) = (&self.origin.metric, self.norm.space());
         match self.origin.scalar_curvature {
             Some(exact) => stated_curvature(g, exact, space, &rules.cells),

@@ -8,6 +8,9 @@ use regge_readers::mesh::Group;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
+/// The version of the form of JSON and NumPy files. A field more does not change it, a field less or another meaning does.
+pub const FORMAT: u32 = 1;
+
 /// The curvature of a Regge metric on a mesh from a file.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct CurvatureReport {
@@ -26,6 +29,8 @@ pub struct CurvatureReport {
     pub euler_characteristic: i64,
     /// Total curvature − 4πχ, for surfaces that are closed or have their boundary terms.
     pub gauss_bonnet_residual: Option<f64>,
+    /// The connected pieces of the mesh, one as a rule.
+    pub pieces: Vec<Piece>,
     /// The errors in the norms that were asked for, by the norm's name: `hm2`.
     #[serde(flatten)]
     pub norms: BTreeMap<&'static str, NormError>,
@@ -48,9 +53,28 @@ pub struct CurvatureReport {
     pub fields: Option<Fields>,
 }
 
+/// A connected piece of a mesh.
+#[derive(Clone, Debug, Serialize)]
+pub struct Piece {
+    /// Its first cell.
+    pub first_cell: usize,
+    /// Its cells.
+    pub cell_count: usize,
+    /// No boundary?
+    pub closed: bool,
+    /// Σ_k (−1)^k of its k-simplices.
+    pub euler_characteristic: i64,
+    /// The functional at v = 1 on it.
+    pub total_curvature: f64,
+    /// Total curvature − 4πχ, for surfaces that are closed or have their boundary terms.
+    pub gauss_bonnet_residual: Option<f64>,
+}
+
 /// What every report says of its metric and its sums.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct About {
+    /// The version of the form of the file: docs/formats.md.
+    pub format: u32,
     /// The version of the program.
     pub version: &'static str,
     /// The mesh file.
@@ -63,18 +87,22 @@ pub struct About {
     pub interpolant: String,
     /// The quadrature of the sums.
     pub quadrature: QuadratureUsed,
+    /// What is to be known of the mesh and the metric beside the numbers, a line each.
+    pub notes: Vec<String>,
 }
 
 impl About {
     /// Of a metric, and how its sums settled.
     pub(super) fn of<const N: usize, T>(given: &Given<'_, N>, sums: &Settled<T>) -> Self {
         Self {
+            format: FORMAT,
             version: env!("CARGO_PKG_VERSION"),
             mesh: given.file.file.display().to_string(),
             dimension: N,
             degree: given.g_h.space().degree(),
             interpolant: given.interpolant.into(),
             quadrature: QuadratureUsed::of(sums, SUMS_SETTLE),
+            notes: given.notes.clone(),
         }
     }
 }

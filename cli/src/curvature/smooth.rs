@@ -4,10 +4,11 @@ use rayon::prelude::*;
 use regge_curvature::density::Volume;
 use regge_curvature::field::Evaluate;
 use regge_curvature::interpolate::Interpolant;
-use regge_curvature::jet::Jet2;
+use regge_curvature::jet::{Jet2, lower};
 use regge_curvature::linalg::{Mat, indefinite_pivot};
-use regge_curvature::metrics::{AffineMap, Smooth, SmoothTensor};
+use regge_curvature::metrics::{Smooth, SmoothTensor};
 use regge_curvature::quadrature::Rule;
+use regge_curvature::riemann::{Connection, Curvature};
 use regge_curvature::simplex::{Points, subsets};
 use regge_curvature::spaces::Lagrange;
 use regge_curvature::{Error, linalg::inverse_and_det};
@@ -55,6 +56,65 @@ fn place<M: SmoothTensor<N>, const N: usize>(
     x
 }
 
+/// By how much a stated R may differ from that of the metric: by the rounding of a formula, relatively, and by that of the terms
+/// that the kernel's R is made of, which may cancel.
+const STATED: f64 = 1e-6;
+const ROUNDED: f64 = 1e-10;
+
+/// Is the stated R that of the metric, at the points of a rule in every cell?
+///
+/// # Errors
+/// Names the first cell and point where it is not, with both values.
+pub fn check_stated<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    exact: &Expression,
+    rule: &Rule,
+) -> Result<(), Error> {
+    let table = Evaluate::<f64, N>::tabulate(g, rule.points());
+    let on_cell = |cell: usize| {
+        let local = Evaluate::<f64, N>::on_cell(g, cell);
+        (0..rule.points().len()).find_map(|q| {
+            let x = place(g, cell, rule.points().lambda(q));
+            let (stated, jets) = (exact.at(&x), g.jet2(&local, &table, q));
+            let connection = Connection::new(&lower(&jets));
+            let own = Curvature::new(&jets, &connection).scalar();
+            let rounding = ROUNDED * size_of_terms(&jets, &connection);
+            let allowed = STATED * own.abs().max(stated.abs()) + rounding;
+            // A metric that has no R is refused elsewhere.
+            let agrees = (own - stated).abs() <= allowed;
+            let differs = own.is_finite() && !agrees;
+            differs.then(|| {
+                let reason = format!(
+                    "exact_scalar_curvature is {stated} at x = {x:?}, but the metric's own scalar curvature is {own}: \
+                     correct the formula, leave it out, or insist with --trust-exact-curvature"
+                );
+                Error::Cell { cell, reason }
+            })
+        })
+    };
+    first_of(g.mesh().cell_count(), &on_cell).map_or(Ok(()), Err)
+}
+
+/// |g⁻¹|² |∂²g| + |g⁻¹|³ |∂g|², by largest entries.
+fn size_of_terms<const N: usize>(
+    jets: &Mat<Jet2<f64, N>, N>,
+    connection: &Connection<f64, N>,
+) -> f64 {
+    let largest = |of: &dyn Fn(&Jet2<f64, N>) -> f64| jets.iter().map(of).fold(0.0, f64::max);
+    let first = largest(&|jet| jet.d.iter().fold(0.0, |a: f64, b| a.max(b.abs())));
+    let second = largest(&|jet| {
+        jet.dd
+            .iter()
+            .flatten()
+            .fold(0.0, |a: f64, b| a.max(b.abs()))
+    });
+    let inverse = connection
+        .inverse
+        .iter()
+        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    inverse.powi(2) * second + inverse.powi(3) * first * first
+}
+
 /// Is the formula, with its derivatives, finite and positive definite at the points of a rule in every cell?
 ///
 /// # Errors
@@ -67,8 +127,9 @@ pub fn check_formula<M: SmoothTensor<N>, const N: usize>(
         let all = jet.dd.iter().flatten().chain(&jet.d).chain([&jet.value]);
         all.fold(0.0, |sum: f64, part| sum + part.abs())
     };
-    check_at(g, rule.points(), |local, table, q| {
-        let jets = g.jet2(local, table, q);
+    check_at(g, rule.points(), |x| {
+        let x = std::array::from_fn(|i| Jet2::coordinate(x[i], i));
+        let jets = g.formula().at(&x);
         let finite = jets.iter().all(|jet| parts(jet).is_finite());
         finite.then(|| jets.map(|jet| jet.value))
     })
@@ -82,18 +143,14 @@ pub fn check_values<M: SmoothTensor<N>, const N: usize>(
     g: &Smooth<M, N>,
     rule: &Rule,
 ) -> Result<(), Error> {
-    check_at(g, rule.points(), |local, table, q| {
-        finite_value(g, local, table, q)
-    })
+    check_at(g, rule.points(), |x| finite_value(g, x))
 }
 
 fn finite_value<M: SmoothTensor<N>, const N: usize>(
     g: &Smooth<M, N>,
-    local: &AffineMap<N>,
-    table: &Vec<[f64; N]>,
-    q: usize,
+    x: &[f64; N],
 ) -> Option<Mat<f64, N>> {
-    let value = g.value(local, table, q);
+    let value = g.formula().at(x);
     value.iter().all(|x: &f64| x.is_finite()).then_some(value)
 }
 
@@ -108,30 +165,27 @@ pub fn check_edges<M: SmoothTensor<N>, const N: usize>(
     let rule = Rule::new(1, Interpolant::default_order(degree));
     subsets(N + 1, 2).iter().try_for_each(|edge| {
         let points = rule.points().embed(edge, N + 1);
-        check_at(g, &points, |local, table, q| {
-            finite_value(g, local, table, q)
-        })
+        check_at(g, &points, |x| finite_value(g, x))
     })
 }
 
-/// `finite` answers with g at the q-th point, if all that is wanted there is finite.
+/// `finite` answers with g at x, if all that is wanted there is finite. It is the formula that is looked at, in the coordinates
+/// that it is written in: in those of a thin cell the Euclidean metric itself may lose its sign to rounding.
 fn check_at<M: SmoothTensor<N>, const N: usize>(
     g: &Smooth<M, N>,
     points: &Points,
-    finite: impl Fn(&AffineMap<N>, &Vec<[f64; N]>, usize) -> Option<Mat<f64, N>> + Sync,
+    finite: impl Fn(&[f64; N]) -> Option<Mat<f64, N>> + Sync,
 ) -> Result<(), Error> {
-    let table = Evaluate::<f64, N>::tabulate(g, points);
     let on_cell = |cell: usize| {
-        let local = Evaluate::<f64, N>::on_cell(g, cell);
         (0..points.len()).find_map(|q| {
-            let what = match finite(&local, &table, q) {
+            let x = place(g, cell, points.lambda(q));
+            let what = match finite(&x) {
                 None => "is not finite, or divides by zero,".to_string(),
                 Some(value) => {
                     let pivot = indefinite_pivot(&value)?;
                     format!("is not positive definite (pivot {pivot:e})")
                 }
             };
-            let x = place(g, cell, points.lambda(q));
             let reason = format!("the metric {what} at x = {x:?}: check the formula there");
             Some(Error::Cell { cell, reason })
         })

@@ -49,6 +49,8 @@ pub struct Figure {
     pub curves: Vec<Curve>,
     /// The slopes.
     pub guides: Vec<Guide>,
+    /// What is written where no curve has a point.
+    pub if_empty: String,
 }
 
 /// Width and height of the picture.
@@ -89,6 +91,16 @@ impl Figure {
         }
         for curve in &self.curves {
             curve.draw(text, &plane)?;
+        }
+        if self.curves.iter().all(|curve| curve.points.is_empty()) {
+            // An empty picture would be taken for a fault.
+            writeln!(
+                text,
+                "<text x=\"{}\" y=\"{}\" font-size=\"18\" text-anchor=\"middle\">{}</text>",
+                (FRAME[0] + FRAME[2]) / 2.0,
+                (FRAME[1] + FRAME[3]) / 2.0,
+                escaped(&self.if_empty)
+            )?;
         }
         self.legend(text)?;
         writeln!(text, "</svg>")

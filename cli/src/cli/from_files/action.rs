@@ -1,17 +1,27 @@
 //! `regge action`: Regge's action on a mesh from a file, and its gradient.
 
+use super::super::common::Common;
 use super::files::{self, Files};
-use super::given::{DETAILS, Given, stopped};
+use super::given::{Given, details, stopped};
+use super::memory;
 use regge_cli::curvature::{ActionReport, action};
-use regge_terminal::{Bar, Out, Stop};
+use regge_terminal::{Out, Stop, output};
 use std::io::{self, Write};
 
 /// About how many phases the command has.
 const PHASES: u64 = 6;
 
+const SHORT: &str =
+    "Example: regge action --mesh m.msh --lengths l.csv --csv gradient.csv (more: --help)";
+
+const EXAMPLES: &str = "\
+Examples:
+  regge action --mesh m.json --lengths l.csv --csv gradient.csv
+  regge action --mesh ball.msh --metric g.toml --degree 2 --json -";
+
 /// Regge's action: half the curvature's total and the boundary's angles; for degree 0 with its gradient.
 #[derive(clap::Args)]
-#[command(after_help = DETAILS)]
+#[command(after_help = SHORT, after_long_help = format!("{}\n\n{EXAMPLES}", details()))]
 pub struct Args {
     #[command(flatten)]
     given: Given,
@@ -21,27 +31,30 @@ pub struct Args {
 
 impl Args {
     /// Runs the command.
-    pub fn run(self) -> Result<(), Stop> {
-        self.given.check()?;
+    pub fn run(self, common: &Common) -> Result<(), Stop> {
+        let files = self.files.list();
+        self.given.check(&files)?;
         if self.files.csv.is_some() && self.given.degree > 0 {
             let reason = "the gradient in the edge lengths is for degree 0: see regge einstein";
             return Err(Stop::Usage(reason.into()));
         }
-        files::check(self.files.list())?;
-        let bar = Bar::new(PHASES);
-        let begin = |what: &'static str| bar.advance(PHASES, what);
+        let voice = common.voice(&files);
+        let phases = voice.phases(PHASES);
+        let begin = |what: &str| phases.begin(what);
         begin("reading the mesh");
         let (mesh, source) = (self.given.mesh()?, self.given.source()?);
         let (degree, order) = (self.given.degree, self.given.quadrature());
+        memory::check(common, &mesh, degree, None)?;
         let report = action(&mesh, &source, degree, order, &begin).map_err(stopped)?;
+        begin("writing");
         self.files.write(&report, table)?;
-        drop(bar);
-        self.show(&report)
+        drop(phases);
+        files::notes(&voice, &report.about);
+        self.show(&report, &mut voice.out())
     }
 
-    fn show(&self, report: &ActionReport) -> Result<(), Stop> {
-        let mut out = Out::new();
-        files::show_metric(&mut out, &report.about)?;
+    fn show(&self, report: &ActionReport, out: &mut Out) -> Result<(), Stop> {
+        files::show_metric(out, &report.about)?;
         writeln!(out, "action {:.12e}", report.action)?;
         writeln!(
             out,
@@ -52,7 +65,7 @@ impl Args {
             writeln!(out, "largest derivative in an inner edge {largest:.6e}")?;
             writeln!(out, "Schlaefli's identity holds to {residual:.1e}")?;
         }
-        files::show_written(&mut out, self.files.list())
+        Ok(output::show_written(out, &self.files.list())?)
     }
 }
 

@@ -1,13 +1,20 @@
 //! `regge curvature`: from a mesh file to its curvature.
 
+use super::super::common::Common;
+use super::super::picture;
 use super::files::{self, Files};
-use super::given::{DETAILS, Given, stopped};
+use super::given::{Given, details, stopped};
+use super::memory;
+use super::simplices::{SimplexFiles, check_vtu};
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use regge_cli::curvature::{Boundary, CurvatureReport, Fields, Request, curvature};
+use regge_cli::curvature::{
+    Boundary, CurvatureReport, Fields, LARGEST_WITH_NORM, Request, curvature,
+};
 use regge_cli::{map, vtu};
 use regge_curvature::norm::Kind;
-use regge_terminal::{Bar, Out, Stop, output};
-use std::ffi::OsStr;
+use regge_readers::mesh::MeshFile;
+use regge_terminal::output::{self, Named};
+use regge_terminal::{Out, Stop};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -19,9 +26,18 @@ The sums are those of the paper: interior faces and hinges only, test functions 
 --boundary gauss-bonnet the boundary's mean curvature and its angles (pi minus their sum) are added, and all test
 functions are used: in dimension 2 the total is then 4 pi times the Euler characteristic.";
 
+const SHORT: &str =
+    "Example: regge curvature --mesh m.msh --metric g.toml --plot c.svg (more: --help)";
+
+const EXAMPLES: &str = "\
+Examples:
+  regge curvature --mesh disc.msh --metric sphere.toml --degree 1 --norm hm2 --plot disc.svg
+  regge curvature --mesh m.json --lengths l.csv --boundary gauss-bonnet --json -
+  regge curvature --mesh ball.msh --metric g.toml --vtu cells.vtu --hinges-vtu edges.vtu --npz all.npz";
+
 /// The distributional curvature of a Regge metric on a mesh from a file.
 #[derive(clap::Args)]
-#[command(after_help = format!("{DETAILS}\n\n{BOUNDARY}"))]
+#[command(after_help = SHORT, after_long_help = format!("{}\n\n{BOUNDARY}\n\n{EXAMPLES}", details()))]
 pub struct Args {
     #[command(flatten)]
     given: Given,
@@ -31,6 +47,9 @@ pub struct Args {
     /// Also the error against the smooth metric in this norm
     #[arg(long, conflicts_with = "lengths", value_parser = norms())]
     norm: Option<String>,
+    /// Do not compare exact_scalar_curvature with the metric's own, at the quadrature points
+    #[arg(long, requires = "norm")]
+    trust_exact_curvature: bool,
     /// What is done on the boundary
     #[arg(long, default_value = "none")]
     boundary: AtBoundary,
@@ -39,6 +58,8 @@ pub struct Args {
     /// Write mesh and fields to this file, for ParaView
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
+    #[command(flatten)]
+    simplices: SimplexFiles,
     /// Draw the curvature of a plane mesh, as .svg, or as .png in a build with --features png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -63,40 +84,66 @@ enum AtBoundary {
 
 impl Args {
     /// Runs the command.
-    pub fn run(self) -> Result<(), Stop> {
+    pub fn run(self, common: &Common) -> Result<(), Stop> {
         self.check()?;
-        let bar = Bar::new(PHASES);
-        let begin = |what: &'static str| bar.advance(PHASES, what);
+        let voice = common.voice(&self.outputs());
+        let phases = voice.phases(PHASES);
+        let begin = |what: &str| phases.begin(what);
         begin("reading the mesh");
         let mesh = self.given.mesh()?;
-        if let Some(name) = self.norm.as_ref().filter(|_| mesh.dimension > 3) {
-            let n = mesh.dimension;
-            let reason = format!("--norm {name} is for dimensions 2 and 3, not {n}");
-            return Err(Stop::Usage(reason));
-        }
-        if self.plot.is_some() && mesh.dimension != 2 {
-            let reason = format!("--plot is for dimension 2, not {}", mesh.dimension);
-            return Err(Stop::Usage(reason));
-        }
+        self.check_mesh(&mesh)?;
+        memory::check(common, &mesh, self.given.degree, self.request().norm)?;
         let source = self.given.source()?;
         let report = curvature(&mesh, &source, &self.request(), &begin).map_err(stopped)?;
         begin("writing");
         self.write(&report)?;
-        drop(bar);
-        self.show(&report)
+        drop(phases);
+        files::notes(&voice, &report.about);
+        self.show(&report, &mut voice.out())
     }
 
     /// What can be refused before any file is read.
     fn check(&self) -> Result<(), Stop> {
-        self.given.check()?;
         if let Some(path) = &self.plot {
-            Picture::of(path)?;
+            picture::check(path)?;
         }
-        files::check(self.paths())
+        self.vtu.as_deref().map_or(Ok(()), check_vtu)?;
+        self.simplices.check()?;
+        self.given.check(&self.outputs())
     }
 
-    fn paths(&self) -> impl Iterator<Item = &PathBuf> {
-        self.files.list().chain(&self.vtu).chain(&self.plot)
+    /// What can be refused as soon as the mesh is known.
+    fn check_mesh(&self, mesh: &MeshFile) -> Result<(), Stop> {
+        let (n, cells) = (mesh.dimension, mesh.cells.len());
+        if let Some(name) = self.norm.as_ref().filter(|_| n > LARGEST_WITH_NORM) {
+            let reason =
+                format!("--norm {name} is for dimensions 2 to {LARGEST_WITH_NORM}, not {n}");
+            return Err(Stop::Usage(reason));
+        }
+        if self.plot.is_some() && n != 2 {
+            let reason = format!(
+                "--plot is for dimension 2, not {n}: write --vtu, --faces-vtu, --hinges-vtu and look at them with ParaView"
+            );
+            return Err(Stop::Usage(reason));
+        }
+        if self.plot.is_some() && cells > map::LARGEST {
+            let reason = format!(
+                "{cells} cells are too many for a picture (the limit is {}): write --vtu and look at it with ParaView",
+                map::LARGEST
+            );
+            return Err(Stop::Usage(reason));
+        }
+        Ok(())
+    }
+
+    fn outputs(&self) -> Vec<Named<'_>> {
+        let mut all = self.files.list();
+        all.extend(self.simplices.list());
+        all.extend(output::given([
+            ("--vtu", &self.vtu),
+            ("--plot", &self.plot),
+        ]));
+        all
     }
 
     fn request(&self) -> Request {
@@ -108,17 +155,19 @@ impl Args {
                 let kind = Kind::<2>::named(name);
                 kind.expect("the parser knows the table").name
             }),
+            trust_stated: self.trust_exact_curvature,
             boundary: match self.boundary {
                 AtBoundary::None => Boundary::None,
                 AtBoundary::GaussBonnet => Boundary::GaussBonnet,
             },
-            details: self.files.json.is_some(),
-            fields: self.vtu.is_some() || self.plot.is_some(),
+            details: self.files.want_details() || self.simplices.want_details(),
+            fields: self.vtu.is_some() || self.plot.is_some() || self.simplices.want_fields(),
         }
     }
 
     fn write(&self, report: &CurvatureReport) -> Result<(), Stop> {
         self.files.write(report, table)?;
+        self.simplices.write(report)?;
         let Some(fields) = &report.fields else {
             return Ok(());
         };
@@ -131,8 +180,8 @@ impl Args {
         }
     }
 
-    fn show(&self, report: &CurvatureReport) -> Result<(), Stop> {
-        let (mut out, about) = (Out::new(), &report.about);
+    fn show(&self, report: &CurvatureReport, out: &mut Out) -> Result<(), Stop> {
+        let about = &report.about;
         writeln!(
             out,
             "{}: N = {}, {} cells, Euler characteristic {}",
@@ -143,18 +192,41 @@ impl Args {
             "Regge metric: {}, degree {}",
             about.interpolant, about.degree
         )?;
-        files::show_quadrature(&mut out, &report.about)?;
+        files::show_quadrature(out, about)?;
         writeln!(out, "boundary terms: {}", report.boundary)?;
         writeln!(out, "total curvature {:.12e}", report.total_curvature)?;
         if let Some(residual) = report.gauss_bonnet_residual {
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
         }
+        show_pieces(report, out)?;
         for norm in report.norms.values() {
             let unsettled = norm.quadrature.is_unsettled();
             let state = if unsettled { ", NOT settled" } else { "" };
             writeln!(out, "error in {} {:.12e}{state}", norm.symbol, norm.error)?;
         }
-        files::show_written(&mut out, self.paths())
+        Ok(output::show_written(out, &self.outputs())?)
+    }
+}
+
+/// Each piece of a mesh that falls into several.
+fn show_pieces(report: &CurvatureReport, out: &mut Out) -> io::Result<()> {
+    /// More are in the JSON file.
+    const SHOWN: usize = 20;
+    let count = report.pieces.len();
+    if count < 2 {
+        return Ok(());
+    }
+    writeln!(out, "the mesh falls into {count} pieces:")?;
+    for piece in report.pieces.iter().take(SHOWN) {
+        writeln!(
+            out,
+            "  from cell {}: {} cells, Euler characteristic {}, total curvature {:.12e}",
+            piece.first_cell, piece.cell_count, piece.euler_characteristic, piece.total_curvature
+        )?;
+    }
+    match count - count.min(SHOWN) {
+        0 => Ok(()),
+        more => writeln!(out, "  and {more} more, which --json has"),
     }
 }
 
@@ -170,33 +242,6 @@ fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// How a picture is written.
-enum Picture {
-    Svg,
-    #[cfg(feature = "png")]
-    Png,
-}
-
-impl Picture {
-    fn of(path: &Path) -> Result<Self, Stop> {
-        let end = path.extension().map(OsStr::to_ascii_lowercase);
-        match end.as_deref().and_then(OsStr::to_str) {
-            Some("svg") => Ok(Self::Svg),
-            #[cfg(feature = "png")]
-            Some("png") => Ok(Self::Png),
-            #[cfg(not(feature = "png"))]
-            Some("png") => Err(Stop::Input(format!(
-                "{}: this build draws .svg only; cargo build --release -p regge-cli --features png draws .png too",
-                path.display()
-            ))),
-            _ => Err(Stop::Usage(format!(
-                "{}: a picture ends in .svg or .png",
-                path.display()
-            ))),
-        }
-    }
-}
-
 fn draw(path: &Path, report: &CurvatureReport, fields: &Fields) -> Result<(), Stop> {
     let about = &report.about;
     let title = format!(
@@ -204,10 +249,5 @@ fn draw(path: &Path, report: &CurvatureReport, fields: &Fields) -> Result<(), St
         about.mesh, report.cell_count, about.interpolant, about.degree
     );
     let svg = map::svg(fields, &title).map_err(Stop::Input)?;
-    let bytes = match Picture::of(path)? {
-        Picture::Svg => svg.into_bytes(),
-        #[cfg(feature = "png")]
-        Picture::Png => map::png(&svg).map_err(Stop::Failed)?,
-    };
-    output::write_by(path, |out| out.write_all(&bytes))
+    picture::write(path, svg)
 }

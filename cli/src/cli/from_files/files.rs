@@ -1,8 +1,9 @@
 //! The files of a report, and what its first lines on the terminal say: shared by the commands for meshes from files.
 
-use regge_cli::curvature::{About, Parts};
-use regge_terminal::{Out, Stop, output};
-use serde::Serialize;
+use regge_cli::curvature::{About, Arrays, Parts};
+use regge_cli::npz;
+use regge_terminal::output::{self, Named};
+use regge_terminal::{Out, Stop, Voice};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -10,22 +11,29 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[group(skip)]
 pub struct Files {
-    /// Write everything to this file
+    /// Write everything to this file; - is standard output, for the other files too
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
     /// Write the table of the sums, or of the gradient, to this file
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
+    /// Write everything to this file as NumPy arrays by name (numpy.load)
+    #[arg(long, value_name = "FILE.npz")]
+    pub npz: Option<PathBuf>,
 }
 
 impl Files {
-    /// Those that were asked for.
-    pub fn list(&self) -> impl Iterator<Item = &PathBuf> {
-        self.json.iter().chain(&self.csv)
+    /// Those that were asked for, with the options that name them.
+    pub fn list(&self) -> Vec<Named<'_>> {
+        output::given([
+            ("--json", &self.json),
+            ("--csv", &self.csv),
+            ("--npz", &self.npz),
+        ])
     }
 
     /// Writes them.
-    pub fn write<R: Serialize>(
+    pub fn write<R: Arrays>(
         &self,
         report: &R,
         table: impl FnOnce(&R, &mut dyn Write) -> io::Result<()>,
@@ -33,25 +41,31 @@ impl Files {
         if let Some(path) = &self.json {
             output::json(path, report)?;
         }
-        match &self.csv {
-            Some(path) => output::write_by(path, |out| table(report, out)),
+        if let Some(path) = &self.csv {
+            output::write_by(path, |out| table(report, out))?;
+        }
+        match &self.npz {
+            Some(path) => output::write_by(path, |out| npz::write(&arrays(report)?, out)),
             None => Ok(()),
         }
     }
+
+    /// Is everything wanted that a report can have?
+    pub fn want_details(&self) -> bool {
+        self.json.is_some() || self.npz.is_some()
+    }
 }
 
-/// Refuses, before anything is computed, files that cannot be written or are one and the same.
-pub fn check<'a>(files: impl Iterator<Item = &'a PathBuf>) -> Result<(), Stop> {
-    let mut seen = Vec::new();
-    for path in files {
-        if seen.contains(&path) {
-            let reason = format!("two things are to be written to {}", path.display());
-            return Err(Stop::Usage(reason));
-        }
-        output::check(path)?;
-        seen.push(path);
-    }
-    Ok(())
+/// The lists of a report, and what stands alone in it as text.
+fn arrays(report: &impl Arrays) -> io::Result<Vec<(String, npz::Array)>> {
+    let mut all = report.arrays();
+    all.insert(0, ("report".into(), npz::Array::text(&report.rest()?)));
+    Ok(all)
+}
+
+/// What is to be known of the files beside the numbers.
+pub fn notes(voice: &Voice, about: &About) {
+    about.notes.iter().for_each(|note| voice.note(note));
 }
 
 /// The metric that a report is about.
@@ -71,15 +85,6 @@ pub fn show_quadrature(out: &mut Out, about: &About) -> Result<(), Stop> {
         false => "",
     };
     writeln!(out, "quadrature of order {}{state}", about.quadrature.order)?;
-    Ok(())
-}
-
-/// What was written.
-pub fn show_written<'a>(
-    out: &mut Out,
-    mut files: impl Iterator<Item = &'a PathBuf>,
-) -> Result<(), Stop> {
-    files.try_for_each(|path| writeln!(out, "written: {}", path.display()))?;
     Ok(())
 }
 

@@ -1,17 +1,18 @@
 //! The arguments that say which Regge metric: shared by the commands for meshes from files.
 
-use super::super::values::named;
-use regge_cli::curvature::{CurvatureError, Source};
+use super::super::values;
+use regge_cli::curvature::{CurvatureError, LARGEST_DIMENSION, Source};
 use regge_curvature::interpolate::Interpolant;
 use regge_readers::InputError;
+use regge_readers::expression::functions;
 use regge_readers::mesh::{MeshFile, read_mesh};
 use regge_readers::metric::read_metric;
 use regge_study::LARGEST_DEGREE;
 use regge_terminal::Stop;
+use regge_terminal::output::{self, Named};
 use std::path::PathBuf;
 
-/// What is said of these arguments at the end of the help.
-pub const DETAILS: &str = "\
+const MESH: &str = "\
 Mesh: Gmsh 2.2 or 4.1 (text or binary; triangles or tetrahedra), or JSON:
   {\"dimension\": 2, \"vertices\": [[0, 0], ...], \"cells\": [[0, 1, 2], ...]}
   without \"vertices\" it is an abstract manifold, which edge lengths suffice for.
@@ -21,9 +22,38 @@ Metric, a TOML file with the dimension and one of
   graph = \"x^2/2 - x^4/12\"          the metric of the graph of f
   conformal = \"4/(1 + x^2 + y^2)^2\" the Euclidean one times this factor
   embedding = [\"x\", \"y\", \"x*y\"]     the metric induced by this map
-in x, y, z or x1, x2, ...; exact_scalar_curvature = \"...\" may be added.
+in x, y, z or x1, x2, ...; exact_scalar_curvature = \"...\" may be added.";
 
+const LENGTHS: &str = "\
 Edge lengths: a CSV file with i,j,length for every edge, vertices counted from 0.";
+
+/// What is said of these arguments at the end of the long help.
+pub fn details() -> String {
+    format!(
+        "{MESH}\nFormulas: + - * / ^, pi, e, and\n{}\nabs, sign, min and max have kinks: there one side is differentiated, and a note says so.\n\n\
+         {LENGTHS}\n\nThis build takes dimensions 2 to {LARGEST_DIMENSION} and degrees up to {LARGEST_DEGREE}. \
+         The forms of all files are in docs/formats.md.",
+        lines(&functions(), 110)
+    )
+}
+
+/// Words in lines of this width at most, a little indented.
+fn lines(words: &[String], width: usize) -> String {
+    let mut text = String::new();
+    let mut column = width;
+    for word in words {
+        if column + word.len() + 2 > width {
+            text += if text.is_empty() { "  " } else { ",\n  " };
+            column = 2;
+        } else {
+            text += ", ";
+            column += 2;
+        }
+        text += word;
+        column += word.len();
+    }
+    text
+}
 
 /// Which Regge metric.
 #[derive(clap::Args)]
@@ -38,11 +68,11 @@ pub struct Given {
     /// The edge lengths: classical Regge calculus
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["degree", "interpolant"])]
     lengths: Option<PathBuf>,
-    /// Degree r of the Regge metric
+    /// Degree r of the Regge metric, up to 8
     #[arg(long, value_name = "R", default_value_t = 0)]
     pub degree: usize,
     /// How the Regge metric is made from the smooth one
-    #[arg(long, default_value = "canonical", value_parser = named::<Interpolant>())]
+    #[arg(long, default_value = values::DEFAULT_INTERPOLANT, value_parser = values::named::<Interpolant>())]
     interpolant: Interpolant,
     /// Order of quadrature [default: raised until the sums settle to 1e-8 of the largest]
     #[arg(long, value_name = "ORDER", value_parser = clap::value_parser!(u64).range(0..=60))]
@@ -50,8 +80,9 @@ pub struct Given {
 }
 
 impl Given {
-    /// What can be refused before any file is read.
-    pub fn check(&self) -> Result<(), Stop> {
+    /// What can be refused before any file is read, the files among it that are to be written.
+    pub fn check(&self, outputs: &[Named<'_>]) -> Result<(), Stop> {
+        output::check_all(&self.inputs(), outputs)?;
         if self.degree > LARGEST_DEGREE {
             return Err(Stop::Usage(format!(
                 "degree {} is too high: {LARGEST_DEGREE} is the highest",
@@ -60,6 +91,16 @@ impl Given {
         }
         let checked = self.interpolant.check_degree(self.degree);
         checked.map_err(|error| Stop::Usage(error.to_string()))
+    }
+
+    /// The files that are read.
+    fn inputs(&self) -> Vec<Named<'_>> {
+        let mut all = vec![("--mesh", &*self.mesh)];
+        all.extend(output::given([
+            ("--metric", &self.metric),
+            ("--lengths", &self.lengths),
+        ]));
+        all
     }
 
     /// The order of quadrature, if it is given.

@@ -5,3 +5,5 @@ pub mod curvature;
 pub mod einstein;
 mod files;
 mod given;
+mod memory;
+mod simplices;

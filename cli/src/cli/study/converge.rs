@@ -1,8 +1,9 @@
 //! `regge converge`: a convergence study of any built-in metric.
 
-use super::super::values::{Levels, named};
+use super::super::common::Common;
+use super::super::values::{DEFAULT_INTERPOLANT, Levels, named, unique};
 use super::reproduce::{DEFAULT_SEED, Orders};
-use super::{Job, journal, memory};
+use super::{Job, journal};
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
 use regge_study::{Case, Named, ProjectionKind, Quantity, Study};
@@ -28,9 +29,12 @@ Examples:
   regge converge --metric conformal-sphere --degree 0,1 --interpolant canonical,average --levels 1..=4
   regge converge --metric hyperbolic --quantity critical-term --dimension 3 --json h.json --plot h.svg";
 
+const SHORT: &str =
+    "Example: regge converge --metric trig --degree 1 --plot trig.svg (more: --help)";
+
 /// A convergence study of a built-in metric on ever finer meshes.
 #[derive(clap::Args)]
-#[command(after_help = DETAILS)]
+#[command(after_help = SHORT, after_long_help = DETAILS)]
 pub struct Args {
     /// The smooth metric g
     #[arg(long, value_parser = named::<Metric>())]
@@ -52,7 +56,7 @@ pub struct Args {
         long,
         value_name = "NAME,...",
         value_delimiter = ',',
-        default_value = "average",
+        default_value = DEFAULT_INTERPOLANT,
         value_parser = named::<Interpolant>()
     )]
     interpolant: Vec<Interpolant>,
@@ -78,13 +82,11 @@ pub struct Args {
     plot: Option<PathBuf>,
     #[command(flatten)]
     journal: journal::Args,
-    #[command(flatten)]
-    memory: memory::Args,
 }
 
 impl Args {
     /// Runs the command.
-    pub fn run(self) -> Result<(), Stop> {
+    pub fn run(self, common: &Common) -> Result<(), Stop> {
         let study = self.study();
         let title = format!(
             "{} of {} in H⁻², N = {}, {} quadrature, seed {}",
@@ -100,9 +102,8 @@ impl Args {
             plot: self.plot,
             study,
             journal: self.journal,
-            memory: self.memory,
         };
-        job.run()
+        job.run(common)
     }
 
     fn study(&self) -> Study {
@@ -119,11 +120,14 @@ impl Args {
             metric: self.metric,
             dimension: self.dimension,
             quantity: self.quantity,
-            interpolants: self.interpolant.clone(),
+            interpolants: unique(&self.interpolant, Interpolant::is),
             projection: self.projection,
             quadrature: self.orders.quadrature(false),
             seed: self.seed,
-            cases: self.degree.iter().flat_map(of_degree).collect(),
+            cases: unique(&self.degree, usize::eq)
+                .iter()
+                .flat_map(of_degree)
+                .collect(),
         }
     }
 }

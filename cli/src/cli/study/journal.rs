@@ -26,6 +26,11 @@ pub struct Journal {
 }
 
 impl Args {
+    /// Its name, if one was asked for.
+    pub fn file(&self) -> &Option<PathBuf> {
+        &self.rows
+    }
+
     /// The file, if one was asked for, and the rows that are in it.
     pub fn open(&self, study: &Study) -> Result<(Option<Journal>, Vec<Row>), Stop> {
         let Some(path) = &self.rows else {

@@ -2,16 +2,18 @@
 
 pub mod converge;
 mod journal;
-mod memory;
 mod notes;
 mod picture;
 mod progress;
 pub mod reproduce;
 mod table;
 
+use super::common::Common;
+use super::picture as picture_file;
 use progress::Progress;
-use regge_study::{Event, Report, Row, Study, fits};
-use regge_terminal::{Out, Stop, output};
+use regge_study::{Case, Event, Report, Row, Study, fits};
+use regge_terminal::output::{self, Named};
+use regge_terminal::{Stop, Voice};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -27,49 +29,60 @@ pub struct Job {
     pub plot: Option<PathBuf>,
     /// Where each row goes at once.
     pub journal: journal::Args,
-    /// How much memory there is.
-    pub memory: memory::Args,
 }
 
 impl Job {
     /// Computes, shows and writes.
-    pub fn run(&self) -> Result<(), Stop> {
+    pub fn run(&self, common: &Common) -> Result<(), Stop> {
         self.study
             .check()
             .map_err(|error| Stop::Usage(error.to_string()))?;
-        self.files().try_for_each(|path| output::check(path))?;
-        if self.json.is_some() && self.json == self.plot {
-            return Err(Stop::Usage(
-                "the JSON and the picture go to one file".into(),
-            ));
+        if let Some(path) = &self.plot {
+            picture_file::check(path)?;
         }
-        self.memory.check(&self.study)?;
-        let rows = self.compute()?;
-        let out = &mut Out::new();
+        output::check_all(&[], &self.files())?;
+        self.check_memory(common)?;
+        let voice = common.voice(&self.files());
+        let rows = self.compute(&voice)?;
+        let out = &mut voice.out();
         table::fits(out, &fits(&self.study, &rows))?;
         for note in notes::of(&self.study, &rows) {
             writeln!(out, "\n{}", notes::wrapped(&note))?;
         }
         self.write(rows)?;
         writeln!(out)?;
-        for path in self.files() {
-            writeln!(out, "written: {}", path.display())?;
-        }
-        Ok(())
+        Ok(output::show_written(out, &self.files())?)
     }
 
-    fn files(&self) -> impl Iterator<Item = &PathBuf> {
-        self.json.iter().chain(&self.plot)
+    /// What is written, with the options that name it.
+    fn files(&self) -> Vec<Named<'_>> {
+        let given = [
+            ("--json", &self.json),
+            ("--plot", &self.plot),
+            ("--rows", self.journal.file()),
+        ];
+        output::given(given)
+    }
+
+    /// Refuses a study that has a row for which memory does not suffice.
+    fn check_memory(&self, common: &Common) -> Result<(), Stop> {
+        self.study.cases.iter().try_for_each(|&case| {
+            let Case { degree, level } = case;
+            let what = format!("degree {degree}, level {level}");
+            common
+                .memory
+                .check(&what, self.study.memory(case), "see --levels")
+        })
     }
 
     /// Shows each row as soon as it is there.
-    fn compute(&self) -> Result<Vec<Row>, Stop> {
+    fn compute(&self, voice: &Voice) -> Result<Vec<Row>, Stop> {
         let study = &self.study;
         let (mut journal, earlier) = self.journal.open(study)?;
-        let mut out = Out::new();
+        let mut out = voice.out();
         writeln!(out, "{}\n", self.title)?;
         table::head(&mut out)?;
-        let mut progress = Progress::new(study);
+        let mut progress = Progress::new(study, voice);
         let mut degree = None;
         let mut stopped: Result<(), Stop> = Ok(());
         let rows = study.resume(&earlier, &mut |event| {
@@ -98,7 +111,7 @@ impl Job {
             output::json(path, &report)?;
         }
         if let Some(path) = &self.plot {
-            output::write(path, &picture::svg(&self.study, &report, &self.title))?;
+            picture_file::write(path, picture::svg(&self.study, &report, &self.title))?;
         }
         Ok(())
     }

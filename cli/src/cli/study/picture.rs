@@ -36,6 +36,7 @@ fn figure(study: &Study, report: &Report, title: &str) -> Figure {
         y_label: "H⁻² norm".into(),
         curves,
         guides,
+        if_empty: format!("all errors are below {ROUNDING:e}: zero up to rounding"),
     }
 }
 

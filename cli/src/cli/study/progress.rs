@@ -2,7 +2,7 @@
 
 use regge_curvature::norm::Target;
 use regge_study::{Case, Event, Phase, Study};
-use regge_terminal::{Bar, in_words};
+use regge_terminal::{Bar, Voice, in_words};
 use std::time::{Duration, Instant};
 
 /// A bar that is as long as a study is work.
@@ -32,10 +32,10 @@ fn share(phase: Phase) -> f64 {
 
 impl Progress {
     /// For a study.
-    pub fn new(study: &Study) -> Self {
+    pub fn new(study: &Study, voice: &Voice) -> Self {
         let work: u64 = study.cases.iter().map(|&case| study.work(case)).sum();
         Self {
-            bar: Bar::new(work),
+            bar: voice.bar(work),
             work,
             start: Instant::now(),
             done: 0,

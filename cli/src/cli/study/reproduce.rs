@@ -1,12 +1,13 @@
 //! `regge reproduce`: the paper's tables and figures.
 
-use super::super::values::{Levels, named};
-use super::{Job, journal, memory};
+use super::super::common::Common;
+use super::super::values::{Levels, named, unique};
+use super::{Job, journal};
 use clap::ValueEnum;
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;
 use regge_study::{Case, LoadQuadrature, ProjectionKind, Quadrature, Quantity, Study};
-use regge_terminal::Stop;
+use regge_terminal::{Stop, output};
 use std::path::{Path, PathBuf};
 
 /// Where the files of `reproduce` go unless told otherwise.
@@ -28,9 +29,11 @@ Examples:
   regge reproduce table1 --levels 0..=4 --degrees 1 --interpolant average
   regge reproduce figure2 --levels 1..=2 --degrees 2";
 
+const SHORT: &str = "Example: regge reproduce table1 (more: --help)";
+
 /// Recompute a table or figure of the paper and show each error beside the printed one.
 #[derive(clap::Args)]
-#[command(after_help = DETAILS)]
+#[command(after_help = SHORT, after_long_help = DETAILS)]
 pub struct Args {
     /// Which one
     target: Target,
@@ -67,8 +70,6 @@ pub struct Args {
     plot: Option<PathBuf>,
     #[command(flatten)]
     journal: journal::Args,
-    #[command(flatten)]
-    memory: memory::Args,
 }
 
 /// The seed that is used unless told otherwise. It was selected, not drawn: docs/design.md says among which and why. All
@@ -151,12 +152,18 @@ impl Target {
 
 impl Args {
     /// Runs the command.
-    pub fn run(self) -> Result<(), Stop> {
+    pub fn run(self, common: &Common) -> Result<(), Stop> {
         let study = self.study();
         // What cannot be computed must not leave a folder behind.
         study
             .check()
             .map_err(|error| Stop::Usage(error.to_string()))?;
+        let given = [
+            ("--json", &self.json),
+            ("--plot", &self.plot),
+            ("--rows", self.journal.file()),
+        ];
+        output::check_all(&[], &output::given(given))?;
         let file = |given: &Option<PathBuf>, extension: &str| match given {
             Some(path) => Ok(path.clone()),
             None => default_file(self.target, extension),
@@ -172,9 +179,8 @@ impl Args {
             plot: Some(file(&self.plot, "svg")?),
             study,
             journal: self.journal,
-            memory: self.memory,
         };
-        job.run()
+        job.run(common)
     }
 
     fn study(&self) -> Study {
@@ -193,7 +199,7 @@ impl Args {
             quantity,
             interpolants: match self.interpolant.is_empty() {
                 true => self.target.default_interpolants(),
-                false => self.interpolant.clone(),
+                false => unique(&self.interpolant, Interpolant::is),
             },
             projection,
             quadrature: self.orders.quadrature(self.as_printed),
@@ -211,7 +217,10 @@ impl Args {
             let case = move |level| Case { degree, level };
             levels(degree).into_iter().map(case)
         };
-        self.degrees.iter().flat_map(of_degree).collect()
+        unique(&self.degrees, usize::eq)
+            .iter()
+            .flat_map(of_degree)
+            .collect()
     }
 }
 
