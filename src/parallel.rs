@@ -58,8 +58,8 @@ fn map<R: Send>(start: usize, end: usize, compute: &(dyn Fn(usize) -> R + Sync))
     (start..end).map(compute).collect()
 }
 
-/// [`in_order`] for results of one length: `compute(i, row, room)` fills a row of `width` ≥ 1 entries, `zero` before. `room` is
-/// a thread's own, as the last item left it.
+/// [`in_order`] for results of one length: `compute(i, row, room)` fills a row of `width` entries, `zero` before. `room` is a
+/// thread's own, as the last item left it.
 pub(crate) fn rows_in_order<R: Copy + Send + Sync, W: Send>(
     count: usize,
     width: usize,
@@ -68,26 +68,63 @@ pub(crate) fn rows_in_order<R: Copy + Send + Sync, W: Send>(
     compute: impl Fn(usize, &mut [R], &mut W) + Sync,
     mut consume: impl FnMut(usize, &[R]),
 ) {
-    rows(count, width, zero, &room, &compute, &mut consume);
+    let (first, none) = ((width, zero), (0, ()));
+    two_rows(
+        count,
+        first,
+        none,
+        &room,
+        &|i, row, _, room| compute(i, row, room),
+        &mut |i, row, _| consume(i, row),
+    );
 }
 
-fn rows<R: Copy + Send + Sync, W: Send>(
+/// [`rows_in_order`] for results of two kinds: a row of each, by their widths.
+pub(crate) fn two_rows_in_order<R, S, W>(
     count: usize,
-    width: usize,
-    zero: R,
+    first: (usize, R),
+    second: (usize, S),
+    room: impl Fn() -> W + Sync,
+    compute: impl Fn(usize, &mut [R], &mut [S], &mut W) + Sync,
+    mut consume: impl FnMut(usize, &[R], &[S]),
+) where
+    R: Copy + Send + Sync,
+    S: Copy + Send + Sync,
+    W: Send,
+{
+    two_rows(count, first, second, &room, &compute, &mut consume);
+}
+
+fn two_rows<R: Copy + Send + Sync, S: Copy + Send + Sync, W: Send>(
+    count: usize,
+    first: (usize, R),
+    second: (usize, S),
     room: &(dyn Fn() -> W + Sync),
-    compute: &(dyn Fn(usize, &mut [R], &mut W) + Sync),
-    consume: &mut dyn FnMut(usize, &[R]),
+    compute: &(dyn Fn(usize, &mut [R], &mut [S], &mut W) + Sync),
+    consume: &mut dyn FnMut(usize, &[R], &[S]),
 ) {
-    let mut table = vec![zero; width * ROWS.min(count)];
+    let mut tables = (
+        vec![first.1; first.0 * ROWS.min(count)],
+        vec![second.1; second.0 * ROWS.min(count)],
+    );
     for start in (0..count).step_by(ROWS) {
-        let rows = &mut table[..width * ROWS.min(count - start)];
-        rows.fill(zero);
-        fill(rows, width, GRAIN, room, &|i, row, room| {
-            compute(start + i, row, room);
+        let len = ROWS.min(count - start);
+        tables.0.fill(first.1);
+        tables.1.fill(second.1);
+        let mut rest = (&mut tables.0[..], &mut tables.1[..]);
+        let known = "a table has as many rows";
+        let mut rows: Vec<(&mut [R], &mut [S])> = (0..len)
+            .map(|_| {
+                let row = rest.0.split_off_mut(..first.0).expect(known);
+                (row, rest.1.split_off_mut(..second.0).expect(known))
+            })
+            .collect();
+        fill(&mut rows, 1, GRAIN, room, &|i, rows, room| {
+            let (row, other) = &mut rows[0];
+            compute(start + i, row, other, room);
         });
-        for (i, row) in rows.chunks_exact(width).enumerate() {
-            consume(start + i, row);
+        for (i, (row, other)) in rows.into_iter().enumerate() {
+            consume(start + i, row, other);
         }
     }
 }

@@ -1,6 +1,5 @@
 //! The distributional densitized scalar curvature, and what the boundary adds to it. Paper: def:distcurv.
 
-use super::defects::Defects;
 use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, all_sites};
 use super::walk::pair;
@@ -99,11 +98,9 @@ fn on<T: Real, const N: usize, G: Evaluate<T, N>>(
     };
     let mesh = spaces.first().expect("a test space").mesh();
     let seen = Seen::new(g, &all_sites(N, rules), formulas);
-    let blocks = rules.hinges.points().blocks::<T>();
-    let full = T::from_f64(PI) * T::from_int(halves);
     let density = ScalarCurvature::<T, N, G> {
-        defects: singular.then(|| Defects::new(&seen, mesh, on, blocks, full)),
         seen,
+        full_angle: T::from_f64(PI) * T::from_int(halves),
         sums: [
             curved && on == Where::Interior,
             curved && singular,
@@ -121,8 +118,7 @@ struct ScalarCurvature<'a, T: Real, const N: usize, G: Evaluate<T, N>> {
     sums: [bool; 3],
     faces: T,
     hinges: T,
-    /// None where there is no sum over hinges.
-    defects: Option<Defects<T>>,
+    full_angle: T,
 }
 
 impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for ScalarCurvature<'_, T, N, G> {
@@ -135,6 +131,10 @@ impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for ScalarCurvatu
 
     fn is_constant_on_hinges(&self) -> bool {
         self.seen.g.is_constant()
+    }
+
+    fn full_angle(&self) -> T {
+        self.full_angle
     }
 
     fn on_cell(&self, cell: usize) -> Self::Local {
@@ -155,13 +155,18 @@ impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for ScalarCurvatu
     }
 
     #[inline]
-    fn at_hinge(&self, at: &Self::Local, hinge: usize, place: usize, block: usize, out: &mut [T]) {
-        let defects = self.defects.as_ref();
-        let defect = defects
-            .expect("there are defects where there is a sum over hinges")
-            .at(hinge, block);
-        out[0] = self.seen.corner(at, place, block, |corner| {
-            defect * corner.omega() * self.hinges
-        });
+    fn at_hinge(
+        &self,
+        at: &Self::Local,
+        place: usize,
+        block: usize,
+        factors: Option<&mut [T]>,
+    ) -> T {
+        self.seen.corner(at, place, block, |corner| {
+            if let Some(factors) = factors {
+                factors[0] = corner.omega() * self.hinges;
+            }
+            corner.angle()
+        })
     }
 }

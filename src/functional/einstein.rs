@@ -1,6 +1,5 @@
 //! The form a_h and the distributional Einstein tensor. Paper: thm:distcurvdot, def:distein.
 
-use super::defects::Defects;
 use super::measure::{Density, Where};
 use super::seen::{OnCell, Seen, Sites, all_sites};
 use super::walk::pair;
@@ -169,10 +168,7 @@ fn against_all<T: Real, const N: usize, G: Evaluate<T, N>, A: Against<T, N>>(
 ) -> Sums<T::Sum> {
     let formulas = &rules.formulas;
     let seen = Seen::<T, N, G>::new(g, sites, formulas);
-    let blocks = rules.hinges.points().blocks::<T>();
-    let full = T::from_f64(PI) * T::from_int(formulas.full_angle);
     let density = Einstein {
-        defects: Defects::new(&seen, space.mesh(), Where::Interior, blocks, full),
         seen,
         against,
         formulas,
@@ -186,7 +182,6 @@ struct Einstein<'a, T: Real, const N: usize, G: Evaluate<T, N>, A> {
     seen: Seen<'a, T, N, G>,
     against: &'a A,
     formulas: &'a Formulas,
-    defects: Defects<T>,
 }
 
 impl<T, const N: usize, G, A> Density<T, N> for Einstein<'_, T, N, G, A>
@@ -205,6 +200,10 @@ where
 
     fn is_constant_on_hinges(&self) -> bool {
         self.seen.g.is_constant() && self.against.is_constant()
+    }
+
+    fn full_angle(&self) -> T {
+        T::from_f64(PI) * T::from_int(self.formulas.full_angle)
     }
 
     fn on_cell(&self, cell: usize) -> Self::Local {
@@ -241,18 +240,19 @@ where
     fn at_hinge(
         &self,
         (g, at): &Self::Local,
-        hinge: usize,
         place: usize,
         block: usize,
-        out: &mut [T],
-    ) {
+        factors: Option<&mut [T]>,
+    ) -> T {
         self.seen.corner(g, place, block, |corner| {
-            let factor = T::from_int(self.formulas.a_hinges);
-            let density = self.defects.at(hinge, block) * corner.omega() * factor;
-            let mut out = out.iter_mut();
-            self.against.each(at, 2, place, block, |psi| {
-                *out.next().expect("a number for each tensor") = corner.trace(psi) * density;
-            });
-        });
+            if let Some(factors) = factors {
+                let factor = corner.omega() * T::from_int(self.formulas.a_hinges);
+                let mut factors = factors.iter_mut();
+                self.against.each(at, 2, place, block, |psi| {
+                    *factors.next().expect("a number for each tensor") = corner.trace(psi) * factor;
+                });
+            }
+            corner.angle()
+        })
     }
 }

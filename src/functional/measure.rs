@@ -1,7 +1,7 @@
 //! Measures on cells, faces and hinges: what a cell has of their densities.
 //!
-//! Of a hinge only the first cell around it has any: Θ_S comes from all of them (`defects.rs`), ω_S and traces on S are the same
-//! from each.
+//! What stands on a hinge is Θ_S times something. The angles in Θ_S come from all cells around S, what it is multiplied with
+//! (ω_S, traces on S) is the same from each and is taken from the first; `around.rs` puts them together.
 
 use super::Rules;
 use crate::mesh::Mesh;
@@ -36,14 +36,22 @@ pub(super) trait Density<T: Real, const N: usize>: Sync {
     fn sums(&self) -> [bool; 3];
     /// Is it the same at all points of a hinge?
     fn is_constant_on_hinges(&self) -> bool;
+    /// What the angles around a hinge are subtracted from: 2π inside, π on the boundary.
+    fn full_angle(&self) -> T;
     /// Prepares a cell.
     fn on_cell(&self, cell: usize) -> Self::Local;
     /// In the cell.
     fn in_cell(&self, at: &Self::Local, block: usize, out: &mut [T]);
     /// On the face at this place, as the cell sees it.
     fn on_face(&self, at: &Self::Local, place: usize, block: usize, out: &mut [T]);
-    /// At the hinge of this number in the mesh, which is at this place of the cell, the first one around it.
-    fn at_hinge(&self, at: &Self::Local, hinge: usize, place: usize, block: usize, out: &mut [T]);
+    /// The cell's angle at the hinge at this place. What Θ_S is multiplied with is written to `factors`, if there are any.
+    fn at_hinge(
+        &self,
+        at: &Self::Local,
+        place: usize,
+        block: usize,
+        factors: Option<&mut [T]>,
+    ) -> T;
 }
 
 /// Where the numbers of one codimension stand among all of a cell: by place, block and direction. What is the same at all points
@@ -53,7 +61,7 @@ pub(super) struct Part {
     pub start: usize,
     places: usize,
     pub blocks: usize,
-    directions: usize,
+    pub directions: usize,
     pub present: bool,
 }
 
@@ -66,8 +74,11 @@ impl Part {
 /// A density on the cells of a mesh, all of its numbers on a cell at once.
 pub(super) trait CellByCell<T>: Sync {
     fn parts(&self) -> &[Part; 3];
-    /// Writes down all numbers of a cell.
-    fn evaluate(&self, cell: usize, out: &mut [T]);
+    /// What angles are subtracted from.
+    fn full_angle(&self) -> T;
+    /// Writes down all numbers of a cell; at its hinges, by place and block, its angle and then the factors, which only the
+    /// first cell around a hinge fills in.
+    fn evaluate(&self, cell: usize, out: &mut [T], hinges: &mut [T]);
 }
 
 pub(super) struct Cells<'a, D, const N: usize> {
@@ -90,12 +101,13 @@ impl<'a, D, const N: usize> Cells<'a, D, N> {
         let (present, places) = (density.sums(), [1, N + 1, N * (N + 1) / 2]);
         let mut start = 0;
         let parts = std::array::from_fn(|c| {
+            let directions = D::Value::directions(N - c);
             let part = Part {
                 start,
                 places: places[c],
                 blocks: blocks[c],
-                directions: D::Value::directions(N - c),
-                present: present[c],
+                directions,
+                present: present[c] && directions > 0,
             };
             start += part.len();
             part
@@ -108,24 +120,19 @@ impl<'a, D, const N: usize> Cells<'a, D, N> {
         }
     }
 
-    /// Visits the chunks of all places of a codimension, those that do not belong to the measure set to zero.
-    fn each_place<T: Real>(
+    /// Visits the places of a codimension that belong to the measure: place, simplex, chunk.
+    fn each_place<T>(
         &self,
         codimension: usize,
         cell: usize,
-        out: &mut [T],
-        mut visit: impl FnMut(usize, usize, &mut [T]),
+        chunks: impl Iterator<Item = T>,
+        mut visit: impl FnMut(usize, usize, T),
     ) {
-        let (part, k) = (self.parts[codimension], N - codimension);
-        let simplices = self.mesh.simplices_of(cell, k);
-        let chunks =
-            out[part.start..][..part.len()].chunks_exact_mut(part.blocks * part.directions);
-        for (place, chunk) in chunks.enumerate() {
-            let simplex = simplices[place] as usize;
-            if self.on.has(self.mesh.is_interior(k, simplex)) {
-                visit(place, simplex, chunk);
-            } else {
-                chunk.fill(T::zero());
+        let k = N - codimension;
+        let simplices = self.mesh.simplices_of(cell, k).iter();
+        for (place, (&simplex, chunk)) in simplices.zip(chunks).enumerate() {
+            if self.on.has(self.mesh.is_interior(k, simplex as usize)) {
+                visit(place, simplex as usize, chunk);
             }
         }
     }
@@ -136,7 +143,11 @@ impl<T: Real, D: Density<T, N>, const N: usize> CellByCell<T> for Cells<'_, D, N
         &self.parts
     }
 
-    fn evaluate(&self, cell: usize, out: &mut [T]) {
+    fn full_angle(&self) -> T {
+        self.density.full_angle()
+    }
+
+    fn evaluate(&self, cell: usize, out: &mut [T], row: &mut [T]) {
         let (density, at) = (self.density, self.density.on_cell(cell));
         let [cells, faces, hinges] = self.parts;
         if cells.present {
@@ -145,21 +156,23 @@ impl<T: Real, D: Density<T, N>, const N: usize> CellByCell<T> for Cells<'_, D, N
                 density.in_cell(&at, block, chunk);
             }
         }
-        if faces.present && faces.directions > 0 {
-            self.each_place(1, cell, out, |place, _, chunk| {
+        if faces.present {
+            let out = &mut out[faces.start..][..faces.len()];
+            out.fill(T::zero());
+            let chunks = out.chunks_exact_mut(faces.blocks * faces.directions);
+            self.each_place(1, cell, chunks, |place, _, chunk| {
                 for (block, chunk) in chunk.chunks_exact_mut(faces.directions).enumerate() {
                     density.on_face(&at, place, block, chunk);
                 }
             });
         }
-        if hinges.present && hinges.directions > 0 {
-            self.each_place(2, cell, out, |place, hinge, chunk| {
-                if self.mesh.first_side(N - 2, hinge).cell != cell {
-                    chunk.fill(T::zero());
-                    return;
-                }
-                for (block, chunk) in chunk.chunks_exact_mut(hinges.directions).enumerate() {
-                    density.at_hinge(&at, hinge, place, block, chunk);
+        if hinges.present {
+            let chunks = row.chunks_exact_mut(hinges.blocks * (1 + hinges.directions));
+            self.each_place(2, cell, chunks, |place, hinge, chunk| {
+                let first = self.mesh.first_side(N - 2, hinge).cell == cell;
+                for (block, chunk) in chunk.chunks_exact_mut(1 + hinges.directions).enumerate() {
+                    let (angle, factors) = chunk.split_first_mut().expect("an angle at least");
+                    *angle = density.at_hinge(&at, place, block, first.then_some(factors));
                 }
             });
         }

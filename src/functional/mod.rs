@@ -18,8 +18,8 @@
 //! simplex by simplex is paired with [`Indicators`](crate::spaces::Indicators).
 
 mod action;
+mod around;
 mod curvature;
-mod defects;
 mod einstein;
 mod hessian;
 mod integrate;

@@ -47,6 +47,18 @@ impl<T: Real> Tables<T> {
         }
     }
 
+    /// Adds the integrals of a hinge's densities against the traces, by direction and polynomial.
+    fn add_alone(&self, densities: &[T], acc: &mut [T]) {
+        let directions = densities.len() / self.basis.len();
+        for (basis, densities) in self.basis.iter().zip(densities.chunks_exact(directions)) {
+            for (acc, density) in acc.chunks_exact_mut(basis.len()).zip(densities) {
+                for (a, b) in acc.iter_mut().zip(basis) {
+                    *a += *density * *b;
+                }
+            }
+        }
+    }
+
     /// Adds the integrals of a cell's densities against the traces, by function of the cell.
     fn add(&self, part: &Part, densities: &[T], acc: &mut [T]) {
         let mut densities = densities[part.start..].iter();
@@ -77,25 +89,42 @@ impl<T: Real> Pairing<T> {
         }
     }
 
-    /// How long its row is: an entry for each function in each of the sums that are there.
+    /// How long a cell's row is: an entry for each function in each of the two sums over cells and faces that are there.
     pub fn width(&self) -> usize {
-        self.len * self.traces.iter().flatten().count()
+        self.len * self.traces[..2].iter().flatten().count()
     }
 
-    /// The three sums' entries for the functions of a cell.
+    /// The entries of these two sums for the functions of a cell.
     pub fn row(&self, parts: &[Part; 3], densities: &[T], acc: &mut Vec<T>, row: &mut [T::Sum]) {
         acc.clear();
         acc.resize(self.width(), T::zero());
-        let present = self
-            .traces
-            .iter()
-            .zip(parts)
-            .filter_map(|(t, part)| Some((t.as_ref()?, part)));
+        let present =
+            (self.traces[..2].iter().zip(parts)).filter_map(|(t, part)| Some((t.as_ref()?, part)));
         for ((traces, part), acc) in present.zip(acc.chunks_exact_mut(self.len)) {
             traces.add(part, densities, acc);
         }
-        for (entry, sum) in row.iter_mut().zip(acc) {
-            *entry = sum.reduce();
+        reduce(acc, row);
+    }
+
+    /// Which of the functions of a cell have a trace on the hinge at this place, by direction and polynomial.
+    pub fn on_hinge(&self, place: usize) -> &[usize] {
+        let [_, _, hinges] = &self.traces;
+        hinges.as_ref().map_or(&[], |hinges| &hinges.numbers[place])
+    }
+
+    /// The entries of the sum over hinges for these functions.
+    pub fn hinge_row(&self, densities: &[T], acc: &mut Vec<T>, row: &mut [T::Sum]) {
+        acc.clear();
+        acc.resize(row.len(), T::zero());
+        if let [_, _, Some(hinges)] = &self.traces {
+            hinges.add_alone(densities, acc);
         }
+        reduce(acc, row);
+    }
+}
+
+fn reduce<T: Real>(acc: &[T], row: &mut [T::Sum]) {
+    for (entry, sum) in row.iter_mut().zip(acc) {
+        *entry = sum.reduce();
     }
 }

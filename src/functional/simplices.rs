@@ -95,6 +95,10 @@ impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for Volumes<'_, T
         self.0.g.is_constant()
     }
 
+    fn full_angle(&self) -> T {
+        T::zero()
+    }
+
     fn on_cell(&self, cell: usize) -> Self::Local {
         self.0.on_cell(cell)
     }
@@ -103,11 +107,11 @@ impl<T: Real, const N: usize, G: Evaluate<T, N>> Density<T, N> for Volumes<'_, T
         out[0] = self.0.volume(at, block);
     }
 
-    fn on_face(&self, _: &Self::Local, _: usize, _: usize, out: &mut [T]) {
-        out.fill(T::zero());
+    fn on_face(&self, _: &Self::Local, _: usize, _: usize, _: &mut [T]) {
+        unreachable!("there is no sum over faces")
     }
 
-    fn at_hinge(&self, _: &Self::Local, _: usize, _: usize, _: usize, out: &mut [T]) {
-        out.fill(T::zero());
+    fn at_hinge(&self, _: &Self::Local, _: usize, _: usize, _: Option<&mut [T]>) -> T {
+        unreachable!("there is no sum over hinges")
     }
 }
