@@ -17,7 +17,7 @@ pub(super) struct Pairing<T> {
 
 /// The traces on the simplices of one codimension.
 struct Tables<T> {
-    /// By block, then by polynomial: weight times value; summed up where one block stands for all.
+    /// By polynomial, then by block: weight times value; summed up where one block stands for all.
     basis: Vec<Vec<T>>,
     /// By place, then by direction and polynomial: which function of the cell.
     numbers: Vec<Vec<usize>>,
@@ -31,15 +31,12 @@ impl<T: Real> Tables<T> {
         part: &Part,
     ) -> Self {
         let traces: Vec<_> = sites.vertices.iter().map(|on| space.trace(on)).collect();
-        let weights = weights::<T>(rule);
-        let mut basis = traces[0].basis.tabulate::<T>(rule.points());
-        for (row, weight) in basis.iter_mut().zip(weights) {
-            row.iter_mut().for_each(|b| *b *= weight);
-        }
-        while basis.len() > part.blocks {
-            let last = basis.pop().expect("there is a block at least");
-            let first = basis[0].iter_mut();
-            first.zip(last).for_each(|(sum, b)| *sum += b);
+        let values = traces[0].basis.tabulate::<T>(rule.points());
+        let mut basis = vec![vec![T::zero(); part.blocks]; values[0].len()];
+        for (block, (row, weight)) in values.iter().zip(weights::<T>(rule)).enumerate() {
+            for (basis, value) in basis.iter_mut().zip(row) {
+                basis[block.min(part.blocks - 1)] += *value * weight;
+            }
         }
         Self {
             basis,
@@ -47,29 +44,27 @@ impl<T: Real> Tables<T> {
         }
     }
 
-    /// Adds the integrals of a hinge's densities against the traces, by direction and polynomial.
-    fn add_alone(&self, densities: &[T], acc: &mut [T]) {
-        let directions = densities.len() / self.basis.len();
-        for (basis, densities) in self.basis.iter().zip(densities.chunks_exact(directions)) {
-            for (acc, density) in acc.chunks_exact_mut(basis.len()).zip(densities) {
-                for (a, b) in acc.iter_mut().zip(basis) {
-                    *a += *density * *b;
+    /// Calls `add` with the integral of the densities on a simplex against each polynomial, by direction.
+    #[inline]
+    fn integrals(&self, densities: &[T], mut add: impl FnMut(usize, T)) {
+        let directions = densities.len() / self.basis[0].len();
+        for direction in 0..directions {
+            for (p, basis) in self.basis.iter().enumerate() {
+                let own = densities[direction..].iter().step_by(directions);
+                let mut sum = T::zero();
+                for (density, b) in own.zip(basis) {
+                    sum += *density * *b;
                 }
+                add(direction * self.basis.len() + p, sum);
             }
         }
     }
 
     /// Adds the integrals of a cell's densities against the traces, by function of the cell.
     fn add(&self, part: &Part, densities: &[T], acc: &mut [T]) {
-        let mut densities = densities[part.start..].iter();
-        for numbers in &self.numbers {
-            for basis in &self.basis {
-                for (numbers, density) in numbers.chunks_exact(basis.len()).zip(&mut densities) {
-                    for (&number, b) in numbers.iter().zip(basis) {
-                        acc[number] += *density * *b;
-                    }
-                }
-            }
+        let places = densities[part.start..].chunks_exact(part.blocks * part.directions);
+        for (numbers, densities) in self.numbers.iter().zip(places) {
+            self.integrals(densities, |i, sum| acc[numbers[i]] += sum);
         }
     }
 }
@@ -117,7 +112,7 @@ impl<T: Real> Pairing<T> {
         acc.clear();
         acc.resize(row.len(), T::zero());
         if let [_, _, Some(hinges)] = &self.traces {
-            hinges.add_alone(densities, acc);
+            hinges.integrals(densities, |i, sum| acc[i] = sum);
         }
         reduce(acc, row);
     }
