@@ -14,6 +14,7 @@ mod check;
 mod entry;
 mod equation;
 mod judgement;
+mod lists;
 mod record;
 mod scalar;
 mod tally;
@@ -24,6 +25,7 @@ pub use check::{Budget, Cases, Catalogue, Check, Kind, OnMeshes, OnNumbers, has}
 pub use entry::{Entry, Failure, Forgery, Vacuous, Verdict};
 pub use equation::{Equation, Forged, Relation, Term};
 pub use judgement::{Judgement, Method};
+pub use lists::{each, list, others, pairwise, table};
 pub use record::{ENOUGH, Excuses, Record};
 pub use scalar::{Components, Ground, Timed};
 pub use tally::{Case, Tally};

@@ -34,7 +34,7 @@ impl<B> Components<B> for Vec<B> {
 
 impl<B: Ground, const R: usize, const C: usize> Components<B> for SMatrix<B, R, C> {
     fn components(self) -> Vec<B> {
-        self.iter().copied().collect()
+        self.as_slice().to_vec()
     }
 }
 

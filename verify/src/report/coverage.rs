@@ -1,6 +1,6 @@
 //! How much of the paper is verified: its statements by their status.
 
-use super::page::cell;
+use super::markdown::cell;
 use crate::paper::{Statement, Status};
 use std::fmt::Write;
 

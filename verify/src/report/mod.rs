@@ -5,6 +5,7 @@ mod coverage;
 mod data;
 mod formula;
 mod html;
+mod markdown;
 mod page;
 mod summary;
 

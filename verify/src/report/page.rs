@@ -2,6 +2,7 @@
 
 use super::coverage::coverage;
 use super::data::Report;
+use super::markdown::cell;
 use super::summary::{Row, margin};
 use crate::harness::{Entry, Record, Verdict};
 use crate::paper::statements;
@@ -95,11 +96,6 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
         name: "index.md".to_owned(),
         content: text,
     }
-}
-
-/// Text in a cell of a table: no bars.
-pub(super) fn cell(text: &str) -> String {
-    text.replace('|', "\\|")
 }
 
 fn page(row: &Row<'_>, record: &Record) -> String {

@@ -1,7 +1,7 @@
 //! lemma:IBPdivdivS: M04 on a mesh, T04 on one simplex; over meshes and exactly.
 
 use crate::exact::Fp;
-use crate::harness::{Draw, Equation, Judgement, Record, Setting};
+use crate::harness::{Draw, Equation, Judgement, Record, Setting, each};
 use crate::stage::mesh::{
     FLAT, FaceTerms, OnMesh, Pair, QUADRATURE, Tested, Where, everywhere, minus, on_one_simplex,
 };
@@ -41,8 +41,7 @@ impl OnMesh for M04 {
         let pair = Pair::<N>::draw(at, draw);
         let terms = terms::<N>(&pair, Where::Interior);
         let on = |tested: Tested| -> Vec<(&'static str, Vec<f64>)> {
-            let all = terms.iter();
-            all.map(|(n, v)| (*n, tested.of(&pair.space, v))).collect()
+            each(&terms, |(name, v)| (*name, tested.of(&pair.space, v)))
         };
         let inner = |v: &[f64]| Tested::Inner.of(&pair.space, v);
         let (closed, open) = (at.shape.is_closed(), "there is no boundary");

@@ -1,7 +1,7 @@
 //! T01: Stokes' theorem on a face.
 
 use crate::exact::Fp;
-use crate::harness::{Draw, Equation, Judgement, Record, Setting};
+use crate::harness::{Draw, Equation, Judgement, Record, Setting, each, list};
 use crate::stage::fields::{Regge, Seen, metric, points_of};
 use crate::stage::mesh::{FLAT, OnMesh, QUADRATURE, on_one_simplex, opposite, outward_of_face};
 use crate::stage::point::Face;
@@ -49,9 +49,7 @@ impl OneForm {
         let size = self.basis.len();
         let component =
             |q: usize, m: usize| table.jet1(q, &self.coefficients[m * size..(m + 1) * size]);
-        (0..points.len())
-            .map(|q| Vector::from_fn(|m, _| component(q, m)))
-            .collect()
+        list(points.len(), |q| Vector::from_fn(|m, _| component(q, m)))
     }
 }
 
@@ -104,7 +102,7 @@ fn outflow<const N: usize>(
         let Some(face) = lacking.iter().position(|&v| v == vertex) else {
             continue;
         };
-        let nu: Vec<Vector<f64, N>> = lacking.iter().map(|&v| outward(v)).collect();
+        let nu: Vec<Vector<f64, N>> = each(&lacking, |&v| outward(v));
         let forms = alpha.at::<N>(&on_hinges[place]);
         for (q, w) in rules.hinges.weights().iter().enumerate() {
             let (inverse, det) = inverse_and_det(&seen.value(Side { cell: 0, place }, q));

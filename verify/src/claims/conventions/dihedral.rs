@@ -1,6 +1,6 @@
 //! D09, I20: dihedral angles.
 
-use crate::harness::{Equation, Ground, Record, Timed};
+use crate::harness::{Equation, Ground, Record, Timed, list};
 use crate::stage::point::{Instance, Pointwise, orthonormal};
 use regge_curvature::density::{Corner, outward};
 use regge_curvature::linalg::{Vector, form};
@@ -110,8 +110,8 @@ impl Pointwise for I20 {
         let (base, other) = (i.still0(), Connection::new(&i.other));
         let (g, g_t) = (base.g, other.g);
         let nu = [i.nu().map(|x| x.value), i.nu_bar];
-        let n = [0, 1].map(|a| i.normal(&base, &nu[a]).n);
-        let d = [0, 1].map(|a| i.normal(&other, &nu[a]).n - n[a]);
+        let n = list(2, |a| i.normal(&base, &nu[a]).n);
+        let d = list(2, |a| i.normal(&other, &nu[a]).n - n[a]);
         let cos = |at| normalised(&i.corner(at, [&nu[0], &nu[1]])).1;
         vec![
             Equation::new("cos θ − cos θ̃")

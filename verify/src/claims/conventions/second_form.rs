@@ -1,6 +1,6 @@
 //! D03, D04, D07, D08: the second fundamental form.
 
-use crate::harness::{Equation, Record, Timed};
+use crate::harness::{Equation, Record, Timed, each, table};
 use crate::stage::point::{Face, Instance, Over, Pointwise, along, sum};
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, Vector, apply, form};
@@ -27,19 +27,15 @@ impl Pointwise for D03 {
         let (frame, scene) = (i.frame(), i.scene());
         let (base, second_form) = (&scene.base, scene.face.second_form);
         let (n, tau, tau1) = (frame.n0(), frame.tau0(), frame.tau1());
-        let table = |f: &dyn Fn(usize, usize) -> S::Base| -> Vec<S::Base> {
-            (0..(N - 1) * (N - 1))
-                .map(|k| f(k / (N - 1), k % (N - 1)))
-                .collect()
-        };
-        let on_frame = |a: &Mat<S::Base, N>| table(&|x, y| form(a, &tau[x], &tau[y]));
+        let on_frame = |a: &Mat<S::Base, N>| table(N - 1, |x, y| form(a, &tau[x], &tau[y]));
         let nabla_n = base.nabla_vector(&frame.n1());
-        let turn = table(&|x, y| form(&base.g, &along(&nabla_n, &tau[x]), &tau[y]));
-        let bends: Vec<_> = tau1.iter().map(|t| base.nabla_vector(t)).collect();
-        let bend = table(&|x, y| -form(&base.g, &n, &along(&bends[y], &tau[x])));
+        let turns = each(&tau, |t| along(&nabla_n, t));
+        let turn = table(N - 1, |x, y| form(&base.g, &turns[x], &tau[y]));
+        let bends = each(&tau1, |t| base.nabla_vector(t));
+        let bend = table(N - 1, |x, y| -form(&base.g, &n, &along(&bends[y], &tau[x])));
         let scale = S::Base::one() / scene.face.normal.length;
         let hessian = base.hessian(&i.phi).map(|x| x * scale);
-        let transposed = table(&|x, y| form(&second_form, &tau[y], &tau[x]));
+        let transposed = table(N - 1, |x, y| form(&second_form, &tau[y], &tau[x]));
         vec![
             Equation::new("∇n")
                 .left("II(τ,τ′)", on_frame(&second_form))

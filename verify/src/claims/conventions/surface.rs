@@ -71,7 +71,9 @@ impl Pointwise for D06 {
         let div = surface_div(&base, &normal, &i.alpha);
         // The same vectors in the opposite order give another frame.
         let mut seeds = vec![frame.n0()];
-        seeds.extend(i.seeds.iter().rev().map(|s| s.map(|x| x.value.value())));
+        for seed in i.seeds.iter().rev() {
+            seeds.push(seed.map(|x| x.value.value()));
+        }
         let other = orthonormal(&base.g, &seeds).split_off(1);
         let full = base.div_covector(&i.alpha);
         // α + φβ, which is α on F = {φ = 0}.

@@ -21,15 +21,14 @@ struct Pair<B: Ground, const N: usize> {
 impl<B: Ground, const N: usize> Pair<B, N> {
     fn new<S: Timed<Base = B>>(i: &Instance<S, N>) -> Self {
         let nu = i.nu().map(|x| x.value);
-        let both = [i.still0(), Connection::new(&i.other)];
-        let (metrics, inverses) = (both.map(|c| c.g), both.map(|c| c.inverse));
-        let squares = inverses.map(|inverse| contract(&nu, &apply(&inverse, &nu)));
+        let (one, two) = (i.still0(), Connection::new(&i.other));
+        let square = |c: &Connection<B, N>| contract(&nu, &apply(&c.inverse, &nu));
         Self {
-            normals: both.map(|c| i.normal(&c, &nu)),
+            normals: [i.normal(&one, &nu), i.normal(&two, &nu)],
+            squares: [square(&one), square(&two)],
+            metrics: [one.g, two.g],
+            inverses: [one.inverse, two.inverse],
             nu,
-            metrics,
-            inverses,
-            squares,
         }
     }
 
@@ -60,7 +59,8 @@ impl Pointwise for I01 {
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);
-        let [a, b] = pair.normals.map(|n| S::Base::one() / n.length);
+        let [one, two] = &pair.normals;
+        let (a, b) = (S::Base::one() / one.length, S::Base::one() / two.length);
         vec![
             Equation::new("1/√a − 1/√b")
                 .left("1/√a", a)

@@ -1,6 +1,6 @@
 //! I18, I28: simplices.
 
-use crate::harness::{Equation, Excuses, Ground, Record, Timed};
+use crate::harness::{Equation, Excuses, Ground, Record, Timed, each, list};
 use crate::stage::point::{Instance, Over, Pointwise};
 use regge_curvature::density::{Corner, outward};
 use regge_curvature::formulas::Formulas;
@@ -23,12 +23,11 @@ struct Shape {
 impl Shape {
     fn new<B: Ground, const N: usize>(formulas: &Formulas, g: &Mat<B, N>) -> Self {
         let (inverse, det) = inverse_and_det(g);
-        let nu: Vec<Vector<B, N>> = (0..=N).map(outward).collect();
+        let nu: Vec<Vector<B, N>> = list(N + 1, outward);
         // 1/|dλ_f| is the height over the face f, and 1/ρ = Σ_f 1/height_f.
-        let inverse_heights: Vec<f64> = nu
-            .iter()
-            .map(|nu| contract(nu, &apply(&inverse, nu)).to_real().sqrt())
-            .collect();
+        let inverse_heights = each(&nu, |nu| {
+            contract(nu, &apply(&inverse, nu)).to_real().sqrt()
+        });
         let (mut diameter, mut least_sine) = (0.0_f64, 1.0_f64);
         for a in 0..=N {
             for b in 0..a {
@@ -135,8 +134,8 @@ impl Pointwise for I28 {
 
     fn equations<S: Timed, const N: usize>(_i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let int = |n: usize| S::Base::from_int(n as i64);
-        let equation = |(r, name): (usize, &&'static str)| {
-            let mut equation = Equation::new(name);
+        list(DEGREES.len(), |r| {
+            let mut equation = Equation::new(DEGREES[r]);
             for k in 1..=N {
                 equation = equation
                     .left(
@@ -149,7 +148,6 @@ impl Pointwise for I28 {
             equation
                 .right("dimension", dimension(N * (N + 1) / 2))
                 .forge("all matrices", "dimension", dimension(N * N))
-        };
-        DEGREES.iter().enumerate().map(equation).collect()
+        })
     }
 }

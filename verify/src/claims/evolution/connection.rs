@@ -1,6 +1,6 @@
 //! P05, P06, I12: how the connection changes, and how two connections differ.
 
-use crate::harness::{Equation, Record, Timed};
+use crate::harness::{Components, Equation, Record, Timed, list};
 use crate::stage::point::{Instance, Pointwise, along};
 use regge_curvature::linalg::{Mat, Vector, apply, form, symmetric};
 use regge_curvature::riemann::Connection;
@@ -43,12 +43,10 @@ impl Pointwise for P05 {
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
-        let rate = i
-            .moving0()
-            .gamma
-            .iter()
-            .flat_map(|g| g.map(S::rate).iter().copied().collect::<Vec<_>>())
-            .collect::<Vec<_>>();
+        let mut rate = Vec::new();
+        for gamma in &i.moving0().gamma {
+            rate.extend(gamma.map(S::rate).components());
+        }
         let (covariant, sigma) = (base.nabla_tensor(&i.sigma1()), i.sigma1());
         let half = S::Base::half();
         let terms = |d: &dyn Fn(usize, usize, usize) -> S::Base| {
@@ -109,10 +107,7 @@ impl Pointwise for P06 {
         let last = Vector::from_fn(|m, _| -half * form(&nabla[m], &x0, &y0));
         let lowered = [one(&x0, &y0), one(&y0, &x0), last];
         let names = ["½((∇_Xσ)Y)^♯", "½((∇_Yσ)X)^♯", "−½((∇σ)(X,Y))^♯"];
-        let unraised = names
-            .iter()
-            .zip(&lowered)
-            .map(|(n, l)| (*n, l.iter().copied().collect()));
+        let unraised = list(3, |k| (names[k], lowered[k].components()));
         vec![
             Equation::new("∂_t ∇_Y X")
                 .left("∂_t ∇_Y X", moving.map(S::rate))
@@ -124,7 +119,7 @@ impl Pointwise for P06 {
                 .right(names[0], base.sharp(&lowered[0]))
                 .right(names[1], base.sharp(&lowered[1]))
                 .right(names[2], base.sharp(&lowered[2]))
-                .forge_terms("no ♯", unraised.collect()),
+                .forge_terms("no ♯", unraised),
         ]
     }
 }

@@ -1,8 +1,7 @@
 //! P10–P13: the mean curvature in a moving frame.
 
-use crate::harness::{Equation, Record, Timed};
+use crate::harness::{Equation, Record, Timed, each, list};
 use crate::stage::point::{Frame, Instance, Pointwise, along, sum};
-use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Vector, form};
 use regge_curvature::scalar::Field;
 
@@ -12,8 +11,9 @@ fn accelerations<S: Timed, const N: usize>(
     frame: &Frame<S, N>,
 ) -> Vec<Vector<S, N>> {
     let moving = i.moving0();
-    let one = |t: &Vector<Jet1<S, N>, N>| along(&moving.nabla_vector(t), &t.map(|x| x.value));
-    frame.tau.iter().map(one).collect()
+    each(&frame.tau, |t| {
+        along(&moving.nabla_vector(t), &t.map(|x| x.value))
+    })
 }
 
 /// All components of these vectors. Their tangential parts cancel in products with n: rounding is relative to them.
@@ -21,10 +21,7 @@ fn components<S: Timed, const N: usize>(
     vectors: &[Vector<S, N>],
     part: fn(S) -> S::Base,
 ) -> Vec<S::Base> {
-    vectors
-        .iter()
-        .flat_map(|v| v.iter().map(|x| part(*x)).collect::<Vec<_>>())
-        .collect()
+    list(vectors.len() * N, |k| part(vectors[k / N][k % N]))
 }
 
 /// H in a frame.

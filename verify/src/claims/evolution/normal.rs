@@ -1,6 +1,6 @@
 //! D12, P07, P08, P09: the unit normal, and how it and a frame change.
 
-use crate::harness::{Equation, Ground, Record, Timed};
+use crate::harness::{Equation, Record, Timed, each, table};
 use crate::stage::point::{Instance, Pointwise};
 use regge_curvature::density::Normal;
 use regge_curvature::linalg::{Mat, Vector, apply, contract, form, identity};
@@ -106,13 +106,11 @@ impl Pointwise for P08 {
         for t in &tau {
             tangential -= t.map(|x| x * contract(&s_n, t));
         }
-        let on = |v: &Vector<S::Base, N>| -> Vec<S::Base> {
-            tau.iter().map(|t| form(&base.g, v, t)).collect()
-        };
-        let s_on: Vec<S::Base> = tau.iter().map(|t| -contract(&s_n, t)).collect();
+        let on_rate = each(&tau, |t| form(&base.g, &rate, t));
+        let s_on = each(&tau, |t| -contract(&s_n, t));
         vec![
             Equation::new("tangential")
-                .left("g(ṅ,τ)", on(&rate))
+                .left("g(ṅ,τ)", on_rate)
                 .right("−σ(n,τ)", s_on),
             Equation::new("normal")
                 .left("2g(n,ṅ)", S::Base::from_int(2) * form(&base.g, &n, &rate))
@@ -127,11 +125,6 @@ impl Pointwise for P08 {
 
 /// Orthonormal frames.
 pub struct P09;
-
-/// `[(i, j)]` = a(i, j) on the frame, as a list.
-fn table<B: Ground>(len: usize, a: impl Fn(usize, usize) -> B) -> Vec<B> {
-    (0..len * len).map(|k| a(k / len, k % len)).collect()
-}
 
 impl Pointwise for P09 {
     const RECORD: Record = Record {

@@ -1,6 +1,6 @@
 //! M18: the contracted Bianchi identity, and the invariance behind it.
 
-use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape};
+use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, list};
 use crate::stage::fields::{Tangent, function, metric, test_function, value_only};
 use crate::stage::mesh::{FLAT, OnMesh, POINTS, QUADRATURE, everywhere, orders, times};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
@@ -92,9 +92,10 @@ struct PulledBack<const N: usize>(Tangent<N>);
 
 /// Barycentric coordinates of φ(λ).
 fn image<const N: usize>(x: &Vector<Jet1<f64, N>, N>, lambda: &[Jet2<f64, N>]) -> Vec<f64> {
-    let inner = (0..N).map(|k| lambda[k + 1].value + x[k].value);
-    let first = 1.0 - inner.clone().sum::<f64>();
-    std::iter::once(first).chain(inner).collect()
+    let inner = list(N, |k| lambda[k + 1].value + x[k].value);
+    let mut all = vec![1.0 - inner.iter().sum::<f64>()];
+    all.extend(inner);
+    all
 }
 
 impl<const N: usize> Evaluate<f64, N> for PulledBack<N> {
@@ -102,9 +103,7 @@ impl<const N: usize> Evaluate<f64, N> for PulledBack<N> {
     type Local = (Vec<f64>, Vec<f64>);
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        (0..points.len())
-            .map(|q| barycentric_jets(points, q))
-            .collect()
+        list(points.len(), |q| barycentric_jets(points, q))
     }
     fn on_cell(&self, cell: usize) -> Self::Local {
         self.0.on_cell(cell)
@@ -185,7 +184,8 @@ fn transformed<const N: usize>(
     let moved = function(&raised, canonical.solve(&values));
     let target = Lagrange::new(mesh, 2 * space.degree());
     let sums = distributional_curvature(&moved, &target, rules);
-    [&field.0, &still].map(|x| sums.pair(&composed(x, space, &target, v)))
+    let pair = |x: &Tangent<N>| sums.pair(&composed(x, space, &target, v));
+    [pair(&field.0), pair(&still)]
 }
 
 /// ⟨(Rω)_dist(φ*g), v∘φ⟩ = ⟨(Rω)_dist(g), v⟩, sum by sum.

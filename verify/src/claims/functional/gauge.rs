@@ -1,6 +1,6 @@
 //! M16: flat metrics in disguise.
 
-use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape};
+use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, list, pairwise};
 use crate::stage::fields::{Regge, function, metric, value_only};
 use crate::stage::mesh::{OnMesh, POINTS_IN_T, Pair, QUADRATURE, ROUNDING, Tested, values};
 use regge_curvature::field::{Evaluate, TensorField};
@@ -59,8 +59,7 @@ fn identity_map<const N: usize>(mesh: &Mesh<N>, degree: usize) -> Vec<Vector<f64
 /// A random displacement: every coefficient up to 0.03.
 fn displacement<const N: usize>(len: usize, draw: &mut Draw) -> Vec<Vector<f64, N>> {
     let moves = draw.numbers(len * N);
-    let of = |dof: usize| Vector::from_fn(|m, _| 0.03 * moves[dof * N + m]);
-    (0..len).map(of).collect()
+    list(len, |dof| Vector::from_fn(|m, _| 0.03 * moves[dof * N + m]))
 }
 
 /// φ + t u.
@@ -69,7 +68,7 @@ fn moved<const N: usize>(
     t: f64,
     u: &[Vector<f64, N>],
 ) -> Vec<Vector<f64, N>> {
-    phi.iter().zip(u).map(|(x, u)| x + u * t).collect()
+    pairwise(phi, u, |x, u| x + u * t)
 }
 
 impl<const N: usize> Evaluate<f64, N> for PullBack<N> {
@@ -229,8 +228,8 @@ impl Straight {
         let regge = ReggeSpace::new(mesh, 2 * (at.degree - 1));
         let g = PullBack::new(mesh, at.degree, phi.to_vec());
         let rate = PullBack::polarised(mesh, at.degree, phi.to_vec(), moved(u, 1.0, u));
-        let [g, rate] = [g, rate].map(|field| as_regge(&regge, &field, at.degree));
-        let pair = Pair::new(at, space.clone(), g, rate);
+        let as_regge = |field| as_regge(&regge, &field, at.degree);
+        let pair = Pair::new(at, space.clone(), as_regge(g), as_regge(rate));
         let (b, a) = (pair.b(), pair.a());
         [b.t, b.f, a.f, a.s]
     }

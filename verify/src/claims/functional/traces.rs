@@ -63,8 +63,13 @@ impl OnMesh for D14 {
         let space = Lagrange::new(&mesh, 2);
         let v = draw.numbers(space.len());
         let on_all = |of: &dyn Fn(usize) -> [Vec<f64>; 2]| -> [Vec<f64>; 2] {
-            let all: Vec<_> = (1..N).map(of).collect();
-            [0, 1].map(|i| all.iter().flat_map(|sides| sides[i].clone()).collect())
+            let [mut first, mut last] = [Vec::new(), Vec::new()];
+            for k in 1..N {
+                let [one, other] = of(k);
+                first.extend(one);
+                last.extend(other);
+            }
+            [first, last]
         };
         let [first, last] = on_all(&|k| of_field(&mesh, &sigma, k, at.order));
         let [_, broken] = on_all(&|k| of_field(&mesh, &torn_sigma, k, at.order));

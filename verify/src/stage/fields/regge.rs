@@ -1,6 +1,6 @@
 //! Random Regge functions: metrics near flat ones, and variations.
 
-use crate::harness::Draw;
+use crate::harness::{Draw, pairwise};
 use num_dual::Dual64;
 use regge_curvature::simplex::{multi_indices, subsets};
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
@@ -64,8 +64,8 @@ pub fn flat<const N: usize>(space: &ReggeSpace<N>) -> Regge<f64, N> {
 
 /// g + t σ to first order in t.
 pub fn moving<const N: usize>(g: &Regge<f64, N>, sigma: &Regge<f64, N>) -> Regge<Dual64, N> {
-    let pairs = g.coefficients().iter().zip(sigma.coefficients());
-    function(g.space(), pairs.map(|(g, s)| Dual64::new(*g, *s)).collect())
+    let (g0, rate) = (g.coefficients(), sigma.coefficients());
+    function(g.space(), pairwise(g0, rate, |g, s| Dual64::new(*g, *s)))
 }
 
 /// a g + b h, for two functions of one space.
@@ -75,6 +75,6 @@ pub fn combination<const N: usize>(
     b: f64,
     h: &Regge<f64, N>,
 ) -> Regge<f64, N> {
-    let pairs = g.coefficients().iter().zip(h.coefficients());
-    function(g.space(), pairs.map(|(x, y)| a * x + b * y).collect())
+    let sum = pairwise(g.coefficients(), h.coefficients(), |x, y| a * x + b * y);
+    function(g.space(), sum)
 }

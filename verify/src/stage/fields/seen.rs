@@ -1,5 +1,6 @@
 //! Fields as the cells around a simplex see them, and integrals of densities that are made of them.
 
+use crate::harness::each;
 use regge_curvature::field::Evaluate;
 use regge_curvature::functional::integrate;
 use regge_curvature::jet::{Jet1, Jet2};
@@ -18,8 +19,7 @@ pub struct Seen<'a, T: Real, const N: usize, G: Evaluate<T, N>> {
 
 /// The points of a rule on the k-simplices of an N-simplex, by place.
 pub fn points_of<const N: usize>(k: usize, rule: &Rule) -> Vec<Points> {
-    let on = subsets(N + 1, k + 1);
-    on.iter().map(|on| rule.points().embed(on, N + 1)).collect()
+    each(&subsets(N + 1, k + 1), |on| rule.points().embed(on, N + 1))
 }
 
 impl<'a, T: Real, const N: usize, G: Evaluate<T, N>> Seen<'a, T, N, G> {
@@ -28,7 +28,7 @@ impl<'a, T: Real, const N: usize, G: Evaluate<T, N>> Seen<'a, T, N, G> {
         let points = points_of::<N>(k, rule);
         Self {
             field,
-            tables: points.iter().map(|p| field.tabulate(p)).collect(),
+            tables: each(&points, |p| field.tabulate(p)),
         }
     }
 

@@ -1,8 +1,9 @@
 //! Vector fields that are tangent to every subsimplex, and the Lie derivatives of metrics along them.
 
 use super::regge::Regge;
+use crate::harness::{each, list};
 use regge_curvature::field::{Evaluate, TensorField};
-use regge_curvature::jet::{Jet1, Jet2};
+use regge_curvature::jet::{Jet, Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, symmetric};
 use regge_curvature::simplex::{JetTable, Points, barycentric_jets, multi_indices, subsets};
 use regge_curvature::spaces::Lagrange;
@@ -28,7 +29,7 @@ impl<const N: usize> Tangent<N> {
     /// c on the edges of a cell.
     pub fn on_edges(&self, cell: usize) -> Vec<f64> {
         let edges = self.g.space().mesh().simplices_of(cell, 1);
-        edges.iter().map(|&e| self.c[e as usize]).collect()
+        each(edges, |&e| self.c[e as usize])
     }
 
     /// Xᵏ in reference coordinates, with derivatives.
@@ -37,10 +38,7 @@ impl<const N: usize> Tangent<N> {
         for (edge, c) in subsets(N + 1, 2).iter().zip(c) {
             let (i, j) = (edge[0], edge[1]);
             let product = lambda[i] * lambda[j];
-            let jet = Jet1 {
-                value: c * product.value,
-                d: product.d.map(|d| c * d),
-            };
+            let jet = product.lower().map(|x| c * x);
             // Vertex v is at e_{v−1}, vertex 0 at the origin.
             x[j - 1] += jet;
             if i > 0 {
@@ -82,9 +80,7 @@ impl<const N: usize> Evaluate<f64, N> for Tangent<N> {
     type Local = (Vec<f64>, Vec<f64>);
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        let lambda = (0..points.len())
-            .map(|q| barycentric_jets(points, q))
-            .collect();
+        let lambda = list(points.len(), |q| barycentric_jets(points, q));
         (lambda, Evaluate::<f64, N>::tabulate(&self.g, points))
     }
     fn on_cell(&self, cell: usize) -> Self::Local {

@@ -8,7 +8,7 @@ use super::cases::QUADRATURE;
 use super::claim::{OnMesh, add};
 use super::pair::{Pair, spaces};
 use super::sums::{Three, rates, values};
-use crate::harness::{Catalogue, Draw, Equation, Judgement, Method, Record, Setting, Shape};
+use crate::harness::{Catalogue, Draw, Equation, Judgement, Method, Record, Setting, Shape, each};
 use crate::stage::fields::{Regge, combination, metric, moving, test_function};
 use num_dual::Dual64;
 use regge_curvature::functional::{Sums, distributional_curvature};
@@ -146,16 +146,11 @@ impl<const N: usize> Path<N> {
     fn draw(at: &Setting, draw: &mut Draw, functional: Functional<f64, N>) -> Self {
         let (regge, space) = spaces(at);
         let ends = [metric(&regge, draw), metric(&regge, draw)];
-        let [from, to] = ends.each_ref().map(|g| functional(at, g, &space));
-        let (from, to) = (values(from), values(to));
-        let minus = |x: Vec<f64>, y: Vec<f64>| x.iter().zip(&y).map(|(x, y)| x - y).collect();
+        let from = values(functional(at, &ends[0], &space));
+        let to = values(functional(at, &ends[1], &space));
         Self {
             v: test_function(&space, draw),
-            increase: Three {
-                t: minus(to.t, from.t),
-                f: minus(to.f, from.f),
-                s: minus(to.s, from.s),
-            },
+            increase: to.less(&from),
             ends,
             space,
         }
@@ -172,7 +167,7 @@ impl<const N: usize> Path<N> {
         let (nodes, weights) = gauss_legendre(points);
         let [from, to] = &self.ends;
         let sigma = combination(-1.0, from, 1.0, to);
-        let one = |t: f64| {
+        let all = each(&nodes, |&t| {
             let g = combination(1.0 - t, from, t, to);
             let moving = Moving {
                 at: Pair::new(at, self.space.clone(), g, sigma.clone()),
@@ -180,8 +175,7 @@ impl<const N: usize> Path<N> {
                 v: self.v.clone(),
             };
             equations(at, &moving)
-        };
-        let all: Vec<_> = nodes.into_iter().map(one).collect();
+        });
         Equation::weighted(&weights, all)
     }
 

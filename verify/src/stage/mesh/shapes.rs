@@ -1,6 +1,6 @@
 //! The meshes of the settings.
 
-use crate::harness::Shape;
+use crate::harness::{Shape, list};
 use regge_curvature::mesh::Mesh;
 
 impl Shape {
@@ -24,16 +24,18 @@ impl Shape {
 /// The mesh without its connections: every cell has vertices of its own. A Regge function there is one without
 /// tangential-tangential continuity here.
 pub fn torn<const N: usize>(mesh: &Mesh<N>) -> Mesh<N> {
-    let cells: Vec<Vec<usize>> = (0..mesh.cell_count())
-        .map(|c| (c * (N + 1)..(c + 1) * (N + 1)).collect())
-        .collect();
-    let corners: Option<Vec<Vec<_>>> = (0..mesh.cell_count())
-        .map(|c| (0..=N).map(|i| mesh.corner(c, i)).collect())
-        .collect();
-    let vertices = mesh.cell_count() * (N + 1);
-    match corners {
-        Some(corners) => Mesh::with_cell_charts(vertices, &cells, &corners),
-        None => Mesh::new_abstract(vertices, &cells),
+    let count = mesh.cell_count();
+    let vertices = count * (N + 1);
+    let cells = list(count, |c| list(N + 1, |i| c * (N + 1) + i));
+    if mesh.corner(0, 0).is_some() {
+        let corner = |c, i| {
+            mesh.corner(c, i)
+                .expect("a mesh has all coordinates or none")
+        };
+        let corners = list(count, |c| list(N + 1, |i| corner(c, i)));
+        Mesh::with_cell_charts(vertices, &cells, &corners)
+    } else {
+        Mesh::new_abstract(vertices, &cells)
     }
     .expect("single cells are a mesh")
 }

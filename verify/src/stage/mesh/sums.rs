@@ -1,5 +1,6 @@
 //! The three sums of the functionals as vectors over test functions.
 
+use crate::harness::pairwise;
 use num_dual::Dual64;
 use regge_curvature::functional::Sums;
 use regge_curvature::spaces::Lagrange;
@@ -20,6 +21,16 @@ impl Three {
     pub fn largest(&self) -> f64 {
         let all = self.t.iter().chain(&self.f).chain(&self.s);
         all.fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+
+    /// These sums minus others.
+    pub fn less(&self, other: &Self) -> Self {
+        let minus = |x: &[f64], y: &[f64]| pairwise(x, y, |x, y| x - y);
+        Self {
+            t: minus(&self.t, &other.t),
+            f: minus(&self.f, &other.f),
+            s: minus(&self.s, &other.s),
+        }
     }
 }
 
@@ -57,8 +68,13 @@ impl Tested {
     /// The entries of these test functions. Bernstein's polynomials add up to 1.
     pub fn of<const N: usize>(self, space: &Lagrange<N>, all: &[f64]) -> Vec<f64> {
         let of_boundary = |inner: bool| {
-            let dofs = (0..space.len()).filter(|&d| space.vanishes_on_boundary(d) == inner);
-            dofs.map(|d| all[d]).collect()
+            let mut some = Vec::new();
+            for dof in 0..space.len() {
+                if space.vanishes_on_boundary(dof) == inner {
+                    some.push(all[dof]);
+                }
+            }
+            some
         };
         match self {
             Self::Inner => of_boundary(true),

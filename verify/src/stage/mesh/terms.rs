@@ -1,6 +1,7 @@
 //! The densities of the variation at one point of a cell: what the three right sides of the paper's section 3.1 are
 //! made of, from covariant derivatives of σ.
 
+use crate::harness::{each, others};
 use crate::stage::point::{Face, divergence_terms};
 use regge_curvature::density::{Corner, omega, outward};
 use regge_curvature::formulas::Formulas;
@@ -23,8 +24,7 @@ pub fn div_div<const N: usize>(
 
 /// The vertices that a k-simplex of a cell at this place lacks: one for a face, two for a hinge.
 pub fn opposite<const N: usize>(k: usize, place: usize) -> Vec<usize> {
-    let on = &subsets(N + 1, k + 1)[place];
-    (0..=N).filter(|v| !on.contains(v)).collect()
+    others(N + 1, &subsets(N + 1, k + 1)[place])
 }
 
 /// The outward covector −dλ of the face at this place.
@@ -114,10 +114,7 @@ impl<T: Real> HingeTerms<T> {
         place: usize,
     ) -> Self {
         let (inverse, det) = inverse_and_det(g);
-        let nu: Vec<Vector<T, N>> = opposite::<N>(N - 2, place)
-            .into_iter()
-            .map(outward)
-            .collect();
+        let nu: Vec<Vector<T, N>> = each(&opposite::<N>(N - 2, place), |&v| outward(v));
         let corner = Corner::new(formulas, &inverse, det, [&nu[0], &nu[1]]);
         let omega = corner.omega();
         let side = |f: usize| form(sigma, &corner.normal(f), &corner.conormal(f));

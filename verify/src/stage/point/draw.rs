@@ -1,6 +1,6 @@
 //! Arranges random numbers into jets.
 
-use crate::harness::{Ground, Timed};
+use crate::harness::{Ground, Timed, list};
 use regge_curvature::jet::{Jet1, Jet2};
 use regge_curvature::linalg::{Mat, Vector, zeros};
 use regge_curvature::scalar::Field;
@@ -143,10 +143,9 @@ pub(super) fn transversal<S: Timed, const N: usize>(
         }
         field
     };
-    (0..N)
-        .filter(|&k| k != left_out)
-        .map(|k| near(k, source))
-        .collect()
+    list(N - 1, |k| {
+        near(if k < left_out { k } else { k + 1 }, source)
+    })
 }
 
 /// a + t b.

@@ -1,7 +1,7 @@
 //! Orthonormal frames along the level sets of φ.
 
 use super::instance::{Instance, still_jet};
-use crate::harness::Timed;
+use crate::harness::{Timed, each};
 use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, Vector, form};
 use regge_curvature::scalar::Algebraic;
@@ -28,23 +28,17 @@ impl<S: Timed, const N: usize> Frame<S, N> {
 
     /// The τ_i at this time, with x-derivatives.
     pub fn tau1(&self) -> Vec<Vector<Jet1<S::Base, N>, N>> {
-        self.tau
-            .iter()
-            .map(|t| t.map(|x| x.map(S::value)))
-            .collect()
+        each(&self.tau, |t| t.map(|x| x.map(S::value)))
     }
 
     /// The τ_i at this time and point.
     pub fn tau0(&self) -> Vec<Vector<S::Base, N>> {
-        self.tau
-            .iter()
-            .map(|t| t.map(|x| x.value.value()))
-            .collect()
+        each(&self.tau, |t| t.map(|x| x.value.value()))
     }
 
     /// τ̇_i at the point.
     pub fn tau_rate(&self) -> Vec<Vector<S::Base, N>> {
-        self.tau.iter().map(|t| t.map(|x| x.value.rate())).collect()
+        each(&self.tau, |t| t.map(|x| x.value.rate()))
     }
 }
 

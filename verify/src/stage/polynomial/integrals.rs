@@ -2,6 +2,7 @@
 
 use super::fields::{Domain, Fields, Point};
 use crate::exact::{Fp, on_simplex};
+use crate::harness::others;
 use crate::stage::point::Face;
 use regge_curvature::density::{Corner, Normal, omega, outward, surface_div};
 use regge_curvature::formulas::Formulas;
@@ -88,7 +89,7 @@ impl<const N: usize> Exactly<N> {
 
     /// What is integrated over the face of a cell opposite to a vertex, at a point of it.
     pub fn face(&self, cell: usize, opposite: usize, lambda: &[Fp]) -> OnFace {
-        let vertices: Vec<usize> = (0..=N).filter(|v| *v != opposite).collect();
+        let vertices = others(N + 1, &[opposite]);
         let p = self.point(cell, &vertices, lambda);
         let (base, nu) = (p.still.lower(), outward::<Jet1<Fp, N>, N>(opposite));
         let face = Face::new(&self.formulas, &base, &nu);
@@ -113,15 +114,16 @@ impl<const N: usize> Exactly<N> {
 
     /// σ(n,τ) v ω_S, τ pointing into the face, for the two faces of a cell at a hinge.
     pub fn hinge(&self, cell: usize, opposite: [usize; 2], lambda: &[Fp]) -> [Fp; 2] {
-        let vertices: Vec<usize> = (0..=N).filter(|v| !opposite.contains(v)).collect();
+        let vertices = others(N + 1, &opposite);
         let p = self.point(cell, &vertices, lambda);
-        let nu = opposite.map(outward::<Fp, N>);
+        let nu = [outward::<Fp, N>(opposite[0]), outward(opposite[1])];
         let inverse = p.inverse.map(|x| x.value);
         let det = p.still.det.value;
         let corner = Corner::new(&self.formulas, &inverse, det, [&nu[0], &nu[1]]);
         let sigma = lower(&lower(&p.sigma));
         let weight = corner.omega() * p.v.value;
-        [0, 1].map(|f| form(&sigma, &corner.normal(f), &corner.conormal(f)) * weight)
+        let side = |f: usize| form(&sigma, &corner.normal(f), &corner.conormal(f)) * weight;
+        [side(0), side(1)]
     }
 
     /// ∫ of several densities over a cell, face or hinge. Points where one of them does not exist are avoided.

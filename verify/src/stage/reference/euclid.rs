@@ -1,6 +1,7 @@
 //! Piecewise flat geometry from edge lengths alone, by another route than the library's: every cell is laid out in
 //! ℝ^N by Cholesky's factor of its Gram matrix, angles come from projections, volumes from Gram determinants.
 
+use crate::harness::others;
 use crate::stage::fields::Regge;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::scalar::Real;
@@ -78,9 +79,9 @@ pub fn hinges<T: Real, const N: usize>(g: &Regge<T, N>) -> Vec<FlatHinge<T>> {
         let (mut defect, mut size) = (T::from_f64(std::f64::consts::TAU), T::one());
         for side in mesh.star(N - 2, hinge) {
             let on = &places[side.place];
-            let others: Vec<usize> = (0..=N).filter(|v| !on.contains(v)).collect();
+            let apart = others(N + 1, on);
             let lengths = squares(g, side.cell);
-            defect -= dihedral(&lengths, on, [others[0], others[1]]);
+            defect -= dihedral(&lengths, on, [apart[0], apart[1]]);
             size = volume(&lengths, on);
         }
         all.push(FlatHinge {
