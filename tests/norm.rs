@@ -370,8 +370,8 @@ fn norms_by_name() {
     check(&perturbed::<2>(2, 1), 1);
     check(&perturbed::<3>(1, 1), 0);
     assert!(Kind::<2>::named("hm3").is_none());
-    let plane: Vec<_> = Kind::<2>::ALL.iter().map(|kind| kind.name).collect();
-    let space: Vec<_> = Kind::<3>::ALL.iter().map(|kind| kind.name).collect();
+    let plane: Vec<_> = Kind::<2>::all().iter().map(|kind| kind.name).collect();
+    let space: Vec<_> = Kind::<3>::all().iter().map(|kind| kind.name).collect();
     assert_eq!(plane, space, "the names do not depend on N");
 }
 

@@ -8,8 +8,8 @@ use crate::linalg::Mat;
 use crate::mesh::Mesh;
 use crate::simplex::Points;
 
-/// A norm that can be asked for by name. All of them are in [`Kind::ALL`], over which the studies and the command line
-/// iterate; the names are the same for every N.
+/// A norm that can be asked for by name. All of them are in [`Kind::all`], over which the studies and the command line
+/// iterate.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind<const N: usize> {
     /// What it is asked for by: `hm2`.

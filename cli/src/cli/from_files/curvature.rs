@@ -67,7 +67,7 @@ pub struct Args {
 
 /// Norms that can be asked for: those of the library's table, which is the same for every dimension.
 fn norms() -> PossibleValuesParser {
-    let kinds = Kind::<2>::ALL.iter();
+    let kinds = Kind::<2>::all().iter();
     kinds
         .map(|kind| PossibleValue::new(kind.name).help(kind.about))
         .into()
