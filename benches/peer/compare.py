@@ -41,13 +41,13 @@ def run(command):
 
 
 def build(command_line):
-    """Our example and, if it is needed, our command line."""
+    """Our program and, if it is needed, our command line."""
     cargo = ["cargo", "build", "--release", "--quiet"]
-    subprocess.run([*cargo, "-p", "regge-curvature", "--example", "ours"], cwd=ROOT, check=True)
+    subprocess.run([*cargo, "-p", "regge-peer"], cwd=ROOT, check=True)
     if command_line:
         subprocess.run([*cargo, "-p", "regge-cli"], cwd=ROOT, check=True)
     target = ROOT / "target" / "release"
-    return target / "examples" / "ours", target / "regge"
+    return target / "ours", target / "regge"
 
 
 def peer_in(directory):
