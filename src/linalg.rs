@@ -3,7 +3,7 @@
 //! nalgebra's decompositions ask for an ordered field; exact fields and nested duals have none. A symmetric
 //! positive definite matrix needs no pivoting, so LDLᵀ does for all scalars.
 
-use crate::scalar::Field;
+use crate::scalar::{Field, Real};
 use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 /// An N×N array over T; a (0,2)-tensor's `[(i, j)]` component, or its inverse's.
@@ -220,6 +220,17 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
         sum
     });
     (inverse, det)
+}
+
+/// Are the symmetric matrices in all lanes positive definite, beyond doubt? No too where a pivot is all but 0 or ∞:
+/// [`indefinite_pivot`] decides that.
+pub fn surely_positive<T: Real<Sum = f64>, const N: usize>(a: &Mat<T, N>) -> bool {
+    let mut sum = T::zero();
+    for reciprocal in ldlt(a).reciprocals {
+        // NaN for what is negative, ∞ for 1/0.
+        sum += reciprocal.sqrt();
+    }
+    sum.reduce().is_finite()
 }
 
 /// The first pivot of LDLᵀ that is not positive: none if and only if the symmetric matrix is positive definite.

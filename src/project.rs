@@ -6,10 +6,11 @@
 
 use crate::Error;
 use crate::density::Volume;
-use crate::field::Evaluate;
+use crate::field::{Evaluate, TensorField};
 use crate::linalg::inverse_and_det;
 use crate::parallel::in_order;
 use crate::quadrature::Rule;
+use crate::scalar::Real;
 use crate::spaces::Lagrange;
 use crate::sparse::{CellBlock, Factor, Order, Upper};
 use nalgebra::DMatrix;
@@ -38,7 +39,7 @@ impl Projection {
     ///
     /// # Errors
     /// If memory does not suffice, or g is not positive definite at the points of the rule.
-    pub fn new<const N: usize, G: Evaluate<f64, N>>(
+    pub fn new<const N: usize, G: TensorField<N, Scalar = f64>>(
         g: &G,
         space: &Lagrange<N>,
         tested: Tested,
@@ -49,7 +50,7 @@ impl Projection {
         let factor = match unknowns.is_empty() {
             true => None,
             false => {
-                let mass = mass(g, space, &unknowns, rule);
+                let mass = mass::<G::Wide, G, N>(g, space, &unknowns, rule);
                 Some(Factor::new(&mass, Order::MinimumDegree)?)
             }
         };
@@ -82,7 +83,7 @@ impl Projection {
 const NONE: usize = usize::MAX;
 
 /// The matrix ∫ v_i v_j ω of the unknowns.
-fn mass<const N: usize, G: Evaluate<f64, N>>(
+fn mass<T: Real<Sum = f64>, G: Evaluate<T, N>, const N: usize>(
     g: &G,
     space: &Lagrange<N>,
     unknowns: &[usize],
@@ -102,20 +103,23 @@ fn mass<const N: usize, G: Evaluate<f64, N>>(
     let cells = space.mesh().cell_count();
     let mut mass = Upper::new((0..=unknowns.len()).collect(), cells, &blocks);
     let table = g.tabulate(rule.points());
-    let basis = space.basis(N).tabulate::<f64>(rule.points());
+    let basis = space.basis(N).tabulate::<T>(rule.points());
+    let weights = rule.weight_blocks::<T>();
+    let size = space.cell_len();
     let on_cell = |cell: usize| {
-        let (local, size) = (g.on_cell(cell), space.cell_len());
-        let mut matrix = DMatrix::zeros(size, size);
-        for (q, weight) in rule.weights().iter().enumerate() {
-            let (_, det) = inverse_and_det(&g.value(&local, &table, q));
-            let scale = Volume::from_det(det) * weight;
+        let local = g.on_cell(cell);
+        let mut sums = vec![T::zero(); size * size];
+        for ((block, weight), basis) in weights.iter().enumerate().zip(&basis) {
+            let (_, det) = inverse_and_det(&g.value(&local, &table, block));
+            let scale = Volume::from_det(det) * *weight;
             for j in 0..size {
+                let scaled = scale * basis[j];
                 for i in j..size {
-                    matrix[(i, j)] += scale * basis[q][i] * basis[q][j];
+                    sums[j * size + i] += scaled * basis[i];
                 }
             }
         }
-        matrix
+        DMatrix::from_fn(size, size, |i, j| sums[j * size + i].reduce())
     };
     in_order(cells, on_cell, |cell, matrix| {
         mass.add(&blocks(cell), &matrix)

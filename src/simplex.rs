@@ -25,6 +25,14 @@ pub fn subsets(n: usize, size: usize) -> Vec<Vec<usize>> {
     all
 }
 
+/// The edges of the simplex with these vertices, in the order of [`subsets`].
+pub(crate) fn edges_of(vertices: &[usize]) -> Vec<[usize; 2]> {
+    subsets(vertices.len(), 2)
+        .iter()
+        .map(|edge| [vertices[edge[0]], vertices[edge[1]]])
+        .collect()
+}
+
 /// Exponents α of length `variables` with |α| = `degree`, in descending lexicographic order.
 pub fn multi_indices(variables: usize, degree: usize) -> Vec<Vec<usize>> {
     if variables == 1 {

@@ -7,7 +7,7 @@ use regge_curvature::functional::{
     Sums, boundary_curvature, boundary_curvatures, cell_volumes, distributional_curvatures,
     smooth_curvature, smooth_curvatures,
 };
-use regge_curvature::spaces::{Indicators, Scalar, TestSpace};
+use regge_curvature::spaces::{Indicators, Scalar, TestSpace, check_positive};
 use regge_curvature::{
     Interpolant, Lagrange, Mesh, Metric, ReggeSpace, Rules, Smooth, distributional_curvature,
 };
@@ -71,6 +71,32 @@ fn volumes_do_not_depend_on_lanes() {
     let single = cell_volumes(&PointByPoint(&smooth), &mesh, &rules);
     assert_eq!(wide.len(), mesh.cell_count());
     assert_relative_eq!(wide[..], single[..], epsilon = 0.0, max_relative = ROUNDING);
+}
+
+/// Every interpolant by one point at a time is that by lanes, and refuses the same.
+#[test]
+fn interpolants_do_not_depend_on_lanes() {
+    let mesh = Mesh::<3>::cube(1).unwrap().perturbed(0.05, 2).unwrap();
+    let smooth = Smooth::new(&mesh, Metric::Trig).unwrap();
+    for degree in 0..=2 {
+        let space = ReggeSpace::new(&mesh, degree);
+        let all = Interpolant::ALL.into_iter();
+        for one in all.filter(|one| one.check_degree(degree).is_ok()) {
+            let wide = one.apply(&space, &smooth).unwrap();
+            let single = one.apply(&space, &PointByPoint(&smooth)).unwrap();
+            let (wide, single) = (wide.coefficients(), single.coefficients());
+            assert_abs_diff_eq!(wide, single, epsilon = 1e-13 * largest(single));
+        }
+    }
+    // One point of one cell is enough to be refused: it is named.
+    let space = ReggeSpace::new(&mesh, 1);
+    let mut coefficients = random_regge(&space, 0.1, 2).coefficients().to_vec();
+    coefficients[space.cell_dof(3, 0, 0)] = -50.0;
+    let bad = space.function(coefficients).unwrap();
+    let points = Rules::on(&mesh, 5).cells;
+    let refused = bad.check_positive(points.points()).unwrap_err();
+    let again = check_positive(&PointByPoint(&bad), &mesh, points.points());
+    assert_eq!(refused, again.unwrap_err());
 }
 
 /// Several spaces at once get what each of them gets alone, to the bit.

@@ -121,6 +121,11 @@ impl<const N: usize> Evaluate<f64, N> for PullBack<N> {
     }
 }
 
+impl<const N: usize> TensorField<N> for PullBack<N> {
+    type Scalar = f64;
+    type Wide = f64;
+}
+
 /// The pull-back of a flat metric by a piecewise polynomial homeomorphism is flat as a distribution. For φ of
 /// degree s it is a Regge metric of degree 2(s−1), so that interpolating it changes nothing.
 fn pull_back_is_flat<const N: usize>(side: usize, s: usize, order: usize, tolerance: f64) {

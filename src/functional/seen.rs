@@ -13,10 +13,7 @@ use crate::simplex::{Points, subsets};
 
 /// A rule's weights by blocks; lanes beyond the last point weigh nothing.
 pub(super) fn weights<T: Real>(rule: &Rule) -> Vec<T> {
-    let at = |q: usize| rule.weights().get(q).copied();
-    (0..rule.points().blocks::<T>())
-        .map(|b| T::pack(|lane| at(b * T::LANES + lane).unwrap_or(0.0)))
-        .collect()
+    rule.weight_blocks()
 }
 
 /// The k-simplices of an N-simplex, by place: their local vertices and a rule's points on them as the cell sees them.

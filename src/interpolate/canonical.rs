@@ -5,13 +5,13 @@
 //! integrals of different edges have nothing to do with each other, so that the dual basis is found edge by edge.
 //! A simplex of dimension k > r+1 has no degrees of freedom.
 
-use crate::field::Evaluate;
-use crate::linalg::Mat;
+use crate::field::{Evaluate, TensorField};
 use crate::mesh::Slot;
+use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
-use crate::scalar::{Lift, Real};
-use crate::simplex::{Bernstein, multi_indices, subsets};
-use crate::spaces::ReggeSpace;
+use crate::scalar::{Field, Lift, Real};
+use crate::simplex::{Bernstein, edges_of, multi_indices, subsets};
+use crate::spaces::{ReggeSpace, add_edge_components};
 use nalgebra::DMatrix;
 
 /// The canonical degrees of freedom of a Regge space. They are numbered as its coefficients are: on each simplex by
@@ -43,7 +43,8 @@ struct OnSimplex {
 struct Place {
     /// Its local vertices.
     vertices: Vec<usize>,
-    /// The cell's number for each edge of D.
+    /// By edge of D: its two vertices in the cell, ascending, and the cell's number for it.
+    ends: Vec<[usize; 2]>,
     edges: Vec<usize>,
     /// The cell's number for each α of D.
     alphas: Vec<usize>,
@@ -59,10 +60,8 @@ impl Place {
                 .expect("edges and exponents of D are among those of the cell")
         };
         let cell_edges = subsets(n + 1, 2);
-        let edges = subsets(vertices.len(), 2)
-            .iter()
-            .map(|e| position(&cell_edges, &[vertices[e[0]], vertices[e[1]]]))
-            .collect();
+        let ends = edges_of(&vertices);
+        let edges = ends.iter().map(|e| position(&cell_edges, e)).collect();
         let cell_alphas = multi_indices(n + 1, degree);
         let in_cell = |alpha: &Vec<usize>| {
             let mut extended = vec![0; n + 1];
@@ -76,6 +75,7 @@ impl Place {
             .map(in_cell)
             .collect();
         Self {
+            ends,
             edges,
             alphas,
             slots: crate::spaces::regge_slots(&vertices, n, degree),
@@ -121,26 +121,13 @@ impl OnSimplex {
         self.own.len()
     }
 
-    /// ∫_D q_ab λ^β dμ, `[edge][β]`, of the tensor with this value at the q-th point; `test[q][β]`.
-    fn integrate<T: Real, const N: usize>(
-        &self,
-        place: &Place,
-        rule: &Rule,
-        test: &[Vec<f64>],
-        value: impl Fn(usize) -> Mat<T, N>,
-    ) -> Vec<T> {
-        let size = self.test.len();
-        let mut moments = vec![T::zero(); self.edges() * size];
-        for q in 0..rule.len() {
-            let components = crate::spaces::edge_components(&value(q));
-            for (e, &edge) in place.edges.iter().enumerate() {
-                for beta in 0..size {
-                    moments[e * size + beta] +=
-                        components[edge] * T::from_f64(rule.weights()[q] * test[q][beta]);
-                }
-            }
+    /// λ^β times the weights of a rule, `[block][β]`.
+    fn weighted<T: Real>(&self, rule: &Rule) -> Vec<Vec<T>> {
+        let mut test = self.test.tabulate::<T>(rule.points());
+        for (row, weight) in test.iter_mut().zip(rule.weight_blocks::<T>()) {
+            row.iter_mut().for_each(|b| *b *= weight);
         }
-        moments
+        test
     }
 
     /// The own coefficients of an edge's q_ab on D from its integrals, less what the faces of D contribute to these;
@@ -196,27 +183,49 @@ impl<const N: usize> Canonical<N> {
     /// ℓ(g) for every degree of freedom, g seen from the first cell around each simplex, by rules of this order.
     ///
     /// On what is tangential-tangential continuous every cell around a simplex sees the same.
-    pub fn evaluate<T: Real<Sum = T>, G: Evaluate<T, N>>(&self, g: &G, order: usize) -> Vec<T> {
-        let mesh = self.space.mesh();
-        let mut values = vec![T::zero(); self.space.len()];
+    pub fn evaluate<G: TensorField<N>>(&self, g: &G, order: usize) -> Vec<G::Scalar> {
+        let mut values = vec![G::Scalar::zero(); self.space.len()];
         for (k, on) in (1..).zip(&self.on) {
             let rule = Rule::new(k, order);
-            let test = on.test.tabulate::<f64>(rule.points());
-            let seen = |p: &Place| g.tabulate(&rule.points().embed(&p.vertices, N + 1));
-            let tables: Vec<G::Table> = on.places.iter().map(seen).collect();
-            let on_simplex = |simplex: usize| {
-                let side = mesh.first_side(k, simplex);
-                let local = g.on_cell(side.cell);
-                let value = |q: usize| g.value(&local, &tables[side.place], q);
-                on.integrate(&on.places[side.place], &rule, &test, value)
-            };
-            crate::parallel::in_order(mesh.count(k), on_simplex, |simplex, moments| {
-                for (i, moment) in moments.into_iter().enumerate() {
-                    values[self.space.numbering().global(k, simplex, i)] = moment;
-                }
-            });
+            self.evaluate_on::<G::Wide, G>(k, on, g, &rule, &mut values);
         }
         values
+    }
+
+    /// ∫_D q_ab λ^β dμ on all k-simplices D, by blocks of the rule's points.
+    fn evaluate_on<T: Real, G: Evaluate<T, N>>(
+        &self,
+        k: usize,
+        on: &OnSimplex,
+        g: &G,
+        rule: &Rule,
+        values: &mut [T::Sum],
+    ) {
+        let mesh = self.space.mesh();
+        let test = on.weighted::<T>(rule);
+        let seen = |p: &Place| g.tabulate(&rule.points().embed(&p.vertices, N + 1));
+        let tables: Vec<G::Table> = on.places.iter().map(seen).collect();
+        let on_simplex = |simplex: usize, row: &mut [T::Sum], moments: &mut Vec<T>| {
+            let side = mesh.first_side(k, simplex);
+            let local = g.on_cell(side.cell);
+            moments.clear();
+            moments.resize(row.len(), T::zero());
+            for (block, test) in test.iter().enumerate() {
+                let value = g.value(&local, &tables[side.place], block);
+                add_edge_components(&value, &on.places[side.place].ends, test, moments);
+            }
+            for (entry, moment) in row.iter_mut().zip(moments) {
+                *entry = moment.reduce();
+            }
+        };
+        let (width, zero) = (on.edges() * on.test.len(), T::Sum::zero());
+        let numbering = self.space.numbering();
+        let store = |simplex: usize, row: &[T::Sum]| {
+            for (i, moment) in row.iter().enumerate() {
+                values[numbering.global(k, simplex, i)] = *moment;
+            }
+        };
+        rows_in_order(mesh.count(k), width, zero, Vec::new, on_simplex, store);
     }
 
     /// ℓ of a polynomial tensor on one cell, given by its coefficients `[edge][α]` there: visits (global index, ℓ).
@@ -275,7 +284,7 @@ impl<const N: usize> Canonical<N> {
 }
 
 /// The coefficients of the canonical interpolant, its integrals by rules of this order.
-pub(super) fn coefficients<const N: usize, G: Evaluate<f64, N>>(
+pub(super) fn coefficients<const N: usize, G: TensorField<N, Scalar = f64>>(
     space: &ReggeSpace<N>,
     g: &G,
     order: usize,

@@ -23,7 +23,7 @@ pub use canonical::Canonical;
 pub use geodesic::geodesic_length;
 
 use crate::Error;
-use crate::field::Evaluate;
+use crate::field::{Evaluate, TensorField};
 use crate::quadrature::Rule;
 use crate::spaces::{ReggeFunction, ReggeSpace, check_positive};
 use projection::LocalProjection;
@@ -172,7 +172,7 @@ impl Interpolant {
     /// If the degree is none of its, or g lacks the formula that it needs; if g or g_h is not positive definite at the
     /// points of a rule of order 2r + 2 (named by cell and point), an edge has no geodesic (named by its vertices), or
     /// the projection's rule has too few points.
-    pub fn apply<const N: usize, G: Evaluate<f64, N>>(
+    pub fn apply<const N: usize, G: TensorField<N, Scalar = f64>>(
         &self,
         space: &ReggeSpace<N>,
         g: &G,
@@ -202,7 +202,7 @@ impl Interpolant {
         }
     }
 
-    fn coefficients<const N: usize, G: Evaluate<f64, N>>(
+    fn coefficients<const N: usize, G: TensorField<N, Scalar = f64>>(
         &self,
         space: &ReggeSpace<N>,
         g: &G,

@@ -1,11 +1,12 @@
 //! The local L² projection of a field, cell by cell.
 
 use crate::Error;
-use crate::field::Evaluate;
-use crate::parallel::in_order;
+use crate::field::{Evaluate, TensorField};
+use crate::parallel::rows_in_order;
 use crate::quadrature::Rule;
-use crate::simplex::Bernstein;
-use crate::spaces::{ReggeSpace, edge_components};
+use crate::scalar::Real;
+use crate::simplex::{Bernstein, edges_of};
+use crate::spaces::{ReggeSpace, add_edge_components};
 use nalgebra::DMatrix;
 
 /// The L² projection of the edge components on each cell onto P_r, its integrals by one rule.
@@ -42,35 +43,51 @@ impl LocalProjection {
     }
 
     /// Coefficients of the projections of all edge components on all cells: `[cell][edge][α]`.
-    pub(super) fn project<const N: usize, G: Evaluate<f64, N>>(
+    pub(super) fn project<const N: usize, G: TensorField<N, Scalar = f64>>(
+        &self,
+        space: &ReggeSpace<N>,
+        g: &G,
+    ) -> Vec<Vec<f64>> {
+        self.project_in::<G::Wide, G, N>(space, g)
+    }
+
+    fn project_in<T: Real<Sum = f64>, G: Evaluate<T, N>, const N: usize>(
         &self,
         space: &ReggeSpace<N>,
         g: &G,
     ) -> Vec<Vec<f64>> {
         let table = g.tabulate(self.rule.points());
-        let mut all = Vec::with_capacity(space.mesh().cell_count());
-        let on_cell = |cell: usize| {
+        let vertices: Vec<usize> = (0..=N).collect();
+        let (edges, matrix) = (edges_of(&vertices), self.matrix_blocks::<T>());
+        let on_cell = |cell: usize, row: &mut [f64], sums: &mut Vec<T>| {
             let local = g.on_cell(cell);
-            self.coefficients(N, |q| edge_components(&g.value(&local, &table, q)))
+            sums.clear();
+            sums.resize(row.len(), T::zero());
+            for (block, column) in matrix.iter().enumerate() {
+                add_edge_components(&g.value(&local, &table, block), &edges, column, sums);
+            }
+            for (entry, sum) in row.iter_mut().zip(sums) {
+                *entry = sum.reduce();
+            }
         };
-        in_order(space.mesh().cell_count(), on_cell, |_, local| {
-            all.push(local);
+        let (cells, width) = (space.mesh().cell_count(), edges.len() * self.basis.len());
+        let mut all = Vec::with_capacity(cells);
+        rows_in_order(cells, width, 0.0, Vec::new, on_cell, |_, row| {
+            all.push(row.to_vec());
         });
         all
     }
 
-    /// `[edge][α]` on one n-simplex, from the edge components at the q-th point.
-    fn coefficients(&self, n: usize, at: impl Fn(usize) -> Vec<f64>) -> Vec<f64> {
-        let size = self.basis.len();
-        let mut coefficients = vec![0.0; n * (n + 1) / 2 * size];
-        for q in 0..self.rule.len() {
-            for (e, c) in at(q).into_iter().enumerate() {
-                for a in 0..size {
-                    coefficients[e * size + a] += self.matrix[(a, q)] * c;
-                }
-            }
-        }
-        coefficients
+    /// M by blocks of the rule's points: `[block][α]`; lanes beyond the last point are 0.
+    fn matrix_blocks<T: Real>(&self) -> Vec<Vec<T>> {
+        let (size, points) = self.matrix.shape();
+        let entry = |a: usize, q: usize| if q < points { self.matrix[(a, q)] } else { 0.0 };
+        let column = |block: usize| {
+            (0..size)
+                .map(|a| T::pack(|lane| entry(a, block * T::LANES + lane)))
+                .collect()
+        };
+        (0..points.div_ceil(T::LANES)).map(column).collect()
     }
 }
 

@@ -6,6 +6,7 @@
 
 mod jacobi;
 
+use crate::scalar::Real;
 use crate::simplex::{Points, factorial};
 
 /// A quadrature rule on the reference simplex of a dimension: ∫ f dμ ≈ Σ_q w_q f(λ_q), Σ_q w_q = 1/dim!.
@@ -65,6 +66,14 @@ impl Rule {
     /// Its weights.
     pub fn weights(&self) -> &[f64] {
         &self.weights
+    }
+
+    /// Its weights by blocks of points; lanes beyond the last point weigh nothing.
+    pub fn weight_blocks<T: Real>(&self) -> Vec<T> {
+        let at = |q: usize| self.weights.get(q).copied().unwrap_or(0.0);
+        (0..self.points.blocks::<T>())
+            .map(|b| T::pack(|lane| at(b * T::LANES + lane)))
+            .collect()
     }
 
     /// How many points.

@@ -4,7 +4,7 @@ use super::regge::ReggeSpace;
 use crate::Error;
 use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
-use crate::linalg::{Mat, indefinite_pivot, symmetric};
+use crate::linalg::{Mat, indefinite_pivot, surely_positive, symmetric};
 use crate::mesh::Mesh;
 use crate::scalar::{Field, Lift, Number, Real};
 use crate::simplex::{Bernstein, JetTable, Points};
@@ -85,17 +85,24 @@ impl<const N: usize> ReggeFunction<f64, N> {
 ///
 /// # Errors
 /// Names the first cell and point where it is not.
-pub fn check_positive<const N: usize, G: Evaluate<f64, N>>(
+pub fn check_positive<const N: usize, G: TensorField<N, Scalar = f64>>(
     field: &G,
     mesh: &Mesh<N>,
     points: &Points,
 ) -> Result<(), Error> {
-    let table = field.tabulate(points);
+    let wide = Evaluate::<G::Wide, N>::tabulate(field, points);
+    let table = Evaluate::<f64, N>::tabulate(field, points);
     let mut found = None;
     let on_cell = |cell: usize| {
-        let local = field.on_cell(cell);
-        (0..points.len())
-            .find_map(|q| indefinite_pivot(&field.value(&local, &table, q)).map(|pivot| (q, pivot)))
+        if surely_positive_on::<G::Wide, N, G>(field, cell, &wide, points) {
+            return None;
+        }
+        // Point by point, to name the one.
+        let local = Evaluate::<f64, N>::on_cell(field, cell);
+        (0..points.len()).find_map(|q| {
+            let pivot = indefinite_pivot::<N>(&field.value(&local, &table, q))?;
+            Some((q, pivot))
+        })
     };
     crate::parallel::in_order(mesh.cell_count(), on_cell, |cell, bad| {
         if let (None, Some((q, pivot))) = (&found, bad) {
@@ -109,15 +116,44 @@ pub fn check_positive<const N: usize, G: Evaluate<f64, N>>(
     found.map_or(Ok(()), Err)
 }
 
-/// Edge components `[edge]`, in the order of [`subsets`], of the tensor with components g_ij.
-pub(crate) fn edge_components<F: Field, const N: usize>(g: &Mat<F, N>) -> Vec<F> {
-    let mut q = Vec::with_capacity(N * (N + 1) / 2);
-    // t_0b = e_b; t_ab = e_b − e_a.
-    q.extend((0..N).map(|b| g[(b, b)]));
-    for a in 0..N {
-        q.extend((a + 1..N).map(|b| g[(a, a)] + g[(b, b)] - g[(a, b)] - g[(a, b)]));
+fn surely_positive_on<T: Real<Sum = f64>, const N: usize, G: Evaluate<T, N>>(
+    field: &G,
+    cell: usize,
+    table: &G::Table,
+    points: &Points,
+) -> bool {
+    let local = field.on_cell(cell);
+    let mut blocks = 0..points.blocks::<T>();
+    blocks.all(|block| surely_positive(&field.value(&local, table, block)))
+}
+
+/// Adds q_ab f_β of the tensor with components g_ij to `sums`, `[edge][β]`, for these edges a < b.
+#[inline]
+pub(crate) fn add_edge_components<F: Field, const N: usize>(
+    g: &Mat<F, N>,
+    edges: &[[usize; 2]],
+    f: &[F],
+    sums: &mut [F],
+) {
+    for (&edge, sums) in edges.iter().zip(sums.chunks_exact_mut(f.len())) {
+        let q = edge_component(g, edge);
+        for (sum, f) in sums.iter_mut().zip(f) {
+            *sum += q * *f;
+        }
     }
-    q
+}
+
+/// The edge component q_ab, a < b, of the tensor with components g_ij.
+#[inline]
+fn edge_component<F: Field, const N: usize>(g: &Mat<F, N>, [a, b]: [usize; 2]) -> F {
+    // t_0b = e_b; t_ab = e_b − e_a.
+    match a {
+        0 => g[(b - 1, b - 1)],
+        _ => {
+            let (a, b) = (a - 1, b - 1);
+            g[(a, a)] + g[(b, b)] - g[(a, b)] - g[(a, b)]
+        }
+    }
 }
 
 /// From the coefficients of the edge components, `[edge][α]`, those of g_ii = q_0i, then, pair by pair i < j in the

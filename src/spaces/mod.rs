@@ -9,7 +9,7 @@ mod regge;
 mod test;
 
 pub use basis::BasisFunction;
-pub(crate) use function::edge_components;
+pub(crate) use function::add_edge_components;
 pub use function::{ReggeFunction, check_positive};
 pub use lagrange::Lagrange;
 pub(crate) use regge::slots_on as regge_slots;

@@ -2,7 +2,7 @@
 
 use super::given::{Given, Phase, Source, by_dimension};
 use super::report::About;
-use super::settle::{exact_order, settle_sums};
+use super::settle::{Orders, settle_sums};
 use super::{CurvatureError, failed};
 use regge_curvature::functional::{Rules, action_gradient, regge_action};
 use regge_readers::mesh::MeshFile;
@@ -61,7 +61,7 @@ fn report<const N: usize>(
     phase: Phase<'_>,
 ) -> Result<ActionReport, CurvatureError> {
     let (g_h, mesh) = (&given.g_h, given.g_h.space().mesh());
-    let parts = settle_sums(g_h, quadrature, exact_order(g_h, 1), &mut |order| {
+    let parts = settle_sums(g_h, quadrature, Orders::of(g_h, 1), &mut |order| {
         phase(&format!("summing the action by rules of order {order}"));
         let action = regge_action(g_h, mesh, &Rules::new(N, order));
         Ok([action.interior, action.boundary])

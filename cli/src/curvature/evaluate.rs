@@ -4,7 +4,7 @@ use super::fields::fields;
 use super::given::{Given, Phase};
 use super::norm::Norm;
 use super::report::{About, CurvatureReport, VertexSums};
-use super::settle::{Settled, exact_order, settle_sums};
+use super::settle::{Orders, Settled, settle_sums};
 use super::simplices::{cells, faces, hinges, is_tested, projected};
 use super::smooth::check_formula;
 use super::sums::{AllSums, Evaluation, Tests};
@@ -71,9 +71,12 @@ fn evaluate<const N: usize>(
     phase: Phase<'_>,
 ) -> Result<Settled<Evaluation>, CurvatureError> {
     let smooth = |rules: &Rules| norm.map_or(Vec::new(), |norm| norm.smooth_load(rules));
-    // The curvature of the smooth metric is no polynomial.
-    let exact = exact_order(&given.g_h, tests.degree()).filter(|_| norm.is_none());
-    settle_sums(&given.g_h, request.quadrature, exact, &mut |order| {
+    let orders = match norm {
+        // The curvature of the smooth metric is no polynomial, whatever g_h is.
+        Some(_) => Orders::From(Rules::default_order(request.degree)),
+        None => Orders::of(&given.g_h, tests.degree()),
+    };
+    settle_sums(&given.g_h, request.quadrature, orders, &mut |order| {
         phase(&format!("summing the curvature by rules of order {order}"));
         let evaluation = tests.evaluate(&given.g_h, &smooth, &Rules::new(N, order));
         let load = evaluation.load.iter().flatten();

@@ -13,8 +13,32 @@ pub const SUMS_SETTLE: f64 = 1e-8;
 pub const LOAD_SETTLES: f64 = 1e-7;
 /// The highest order that is tried.
 pub const LARGEST_ORDER: usize = 48;
-/// The order is raised by this much at a time.
+/// The order is raised by this much at first: where the first order is good already, this says so at the least cost.
+const FIRST_STEP: usize = 2;
+/// And by this much from then on.
 const STEP: usize = 4;
+
+/// Which orders to try where none is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Orders {
+    /// One, which is exact.
+    Exact(usize),
+    /// Rising ones from this on.
+    From(usize),
+}
+
+impl Orders {
+    /// For the curvature of g_h against test functions of a degree.
+    ///
+    /// Θ_S ω_S of a constant metric is constant on hinges, so that what is integrated is the test function. Otherwise the order
+    /// begins where it suffices for functions of degree r + 2, less what the test functions have less.
+    pub fn of<const N: usize>(g_h: &ReggeFunction<f64, N>, tested: usize) -> Self {
+        match g_h.space().degree() {
+            0 => Self::Exact(tested),
+            r => Self::From((Rules::default_order(r) + tested).saturating_sub(r + 2)),
+        }
+    }
+}
 
 /// What was computed, and by which order.
 #[derive(Clone, Debug)]
@@ -98,21 +122,20 @@ pub fn relative_change(before: &[&[f64]], after: &[&[f64]]) -> f64 {
     difference / scale.max(1e-5)
 }
 
-/// Sums by the order asked for, or by rising orders until they settle; at once by the order `exact`, where there is one.
+/// Sums by the order asked for, or by these orders until they settle.
 ///
 /// # Errors
 /// The metric is not positive definite where it was looked at, or a sum is not finite, and those of `compute`.
 pub fn settle_sums<const N: usize, T: Settles>(
     g_h: &ReggeFunction<f64, N>,
     quadrature: Option<usize>,
-    exact: Option<usize>,
+    orders: Orders,
     compute: &mut dyn FnMut(usize) -> Result<T, Error>,
 ) -> Result<Settled<T>, CurvatureError> {
-    let first = Rules::default_order(g_h.space().degree());
-    let settled = match (quadrature, exact) {
+    let settled = match (quadrature, orders) {
         (Some(order), _) => compute(order).map(|value| Settled::given(value, order)),
-        (None, Some(exact)) => compute(exact).map(|value| Settled::exact(value, exact)),
-        (None, None) => settle(first, compute),
+        (None, Orders::Exact(order)) => compute(order).map(|value| Settled::exact(value, order)),
+        (None, Orders::From(first)) => settle(first, compute),
     };
     let settled = settled.map_err(|error| match error {
         // A formula that is no metric in a cell.
@@ -129,24 +152,18 @@ pub fn settle_sums<const N: usize, T: Settles>(
     }
 }
 
-/// The order that is exact for functions of a degree: Θ_S ω_S of a constant metric is constant on hinges, so that what is
-/// integrated is the test function.
-pub fn exact_order<const N: usize>(g_h: &ReggeFunction<f64, N>, degree: usize) -> Option<usize> {
-    (g_h.space().degree() == 0).then_some(degree)
-}
-
 /// Computes by rising orders from `first` on until nothing changes, or the orders are exhausted.
 fn settle<T: Settles>(
     first: usize,
     compute: &mut dyn FnMut(usize) -> Result<T, Error>,
 ) -> Result<Settled<T>, Error> {
     let mut value = compute(first)?;
-    let (mut order, mut last) = (first, f64::INFINITY);
+    let (mut order, mut step, mut last) = (first, FIRST_STEP, f64::INFINITY);
     // NaN never settles: it is for the caller to see.
-    while order + STEP <= LARGEST_ORDER && last > SUMS_SETTLE {
-        let next = compute(order + STEP)?;
+    while order + step <= LARGEST_ORDER && last > SUMS_SETTLE {
+        let next = compute(order + step)?;
         last = next.change_since(&value);
-        (value, order) = (next, order + STEP);
+        (value, order, step) = (next, order + step, STEP);
     }
     Ok(Settled {
         value,

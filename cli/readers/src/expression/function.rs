@@ -71,7 +71,7 @@ pub const FUNCTIONS: [(&str, Callable); 26] = [
 ];
 
 /// The functions of one argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Function {
     /// Sine.
     Sin,
@@ -116,7 +116,7 @@ pub enum Function {
 }
 
 /// The functions of two arguments.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pair {
     /// The angle of the point (b, a), in (−π, π].
     Atan2,

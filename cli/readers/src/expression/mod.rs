@@ -2,15 +2,19 @@
 
 mod code;
 mod function;
+mod graph;
 mod names;
 mod parse;
+mod program;
 #[cfg(test)]
 mod tests;
 mod token;
 
 use function::{Callable, FUNCTIONS};
+use graph::Graph;
 use names::Names;
 pub(super) use names::nearest;
+use program::Program;
 use regge_curvature::scalar::Real;
 use std::fmt;
 
@@ -29,7 +33,14 @@ pub fn functions() -> Vec<String> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
     code: Vec<code::Op>,
-    depth: usize,
+    program: Program,
+}
+
+/// Several formulas, ready to be evaluated together: what they have in common is computed once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expressions {
+    formulas: Vec<Expression>,
+    program: Program,
 }
 
 /// Why a text is no formula.
@@ -68,8 +79,8 @@ impl Expression {
     /// Names the column and what is wrong there.
     pub fn parse(text: &str, dimension: usize) -> Result<Self, ExpressionError> {
         let code = parse::parse(text, &Names::new(dimension))?;
-        let depth = code::depth(&code);
-        Ok(Self { code, depth })
+        let program = program_of(&[&code]);
+        Ok(Self { code, program })
     }
 
     /// The names of the functions in it that have a kink or a jump, each once.
@@ -90,6 +101,36 @@ impl Expression {
     /// # Panics
     /// If x has fewer coordinates than the formula was read for.
     pub fn at<S: Real>(&self, x: &[S]) -> S {
-        code::run(&self.code, self.depth, x)
+        let mut result = S::zero();
+        self.program.run(x, |_, value| result = value);
+        result
     }
+}
+
+impl Expressions {
+    /// These formulas, in the same coordinates.
+    pub fn new(formulas: Vec<Expression>) -> Self {
+        let codes: Vec<&[code::Op]> = formulas.iter().map(|f| &f.code[..]).collect();
+        let program = program_of(&codes);
+        Self { formulas, program }
+    }
+
+    /// One by one.
+    pub fn formulas(&self) -> &[Expression] {
+        &self.formulas
+    }
+
+    /// `take(i, value)` with the value of the i-th formula at x, for all of them in order.
+    ///
+    /// # Panics
+    /// If x has fewer coordinates than the formulas were read for.
+    pub fn at<S: Real>(&self, x: &[S], take: impl FnMut(usize, S)) {
+        self.program.run(x, take);
+    }
+}
+
+fn program_of(codes: &[&[code::Op]]) -> Program {
+    let mut graph = Graph::default();
+    let results: Vec<u32> = codes.iter().map(|code| graph.add(code)).collect();
+    Program::new(&graph, &results)
 }

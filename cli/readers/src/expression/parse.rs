@@ -10,8 +10,9 @@
 //!
 //! So −x^2 = −(x^2), 2^3^2 = 2^(3^2), and 2^-1 is allowed.
 
-use super::code::{Op, depth, run};
+use super::code::Op;
 use super::function::{Callable, FUNCTIONS};
+use super::graph::constant;
 use super::names::Names;
 use super::token::{Placed, Token, tokens};
 use super::{ExpressionError, LARGEST_DEPTH, LARGEST_LENGTH};
@@ -225,10 +226,7 @@ impl Parser<'_> {
 
 /// The value of a constant exponent, if it is a whole number of moderate size.
 fn whole_number(code: &[Op]) -> Option<i32> {
-    if code.iter().any(|op| matches!(op, Op::Coordinate(_))) {
-        return None;
-    }
-    let value = run::<f64>(code, depth(code), &[]);
+    let value = constant(code)?;
     // Beyond, the power is 0, 1 or ∞ anyway.
     (value.fract() == 0.0 && value.abs() <= 1024.0).then_some(value as i32)
 }

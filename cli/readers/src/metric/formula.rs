@@ -1,9 +1,9 @@
 //! The four ways to state a metric, as one smooth tensor.
 
-use super::super::expression::Expression;
+use super::super::expression::{Expression, Expressions};
 use super::MetricFile;
 use regge_curvature::jet::Jet1;
-use regge_curvature::linalg::{Mat, symmetric};
+use regge_curvature::linalg::{Mat, symmetric, zeros};
 use regge_curvature::mesh::SplitMix64;
 use regge_curvature::metrics::SmoothTensor;
 use regge_curvature::scalar::Real;
@@ -11,23 +11,28 @@ use regge_curvature::scalar::Real;
 /// How a metric is stated.
 #[derive(Clone, Debug)]
 pub enum Formula {
-    /// g_ij, row by row, symmetric.
-    Components(Vec<Vec<Expression>>),
+    /// g_ij with i ≤ j, row by row.
+    Components(Expressions),
     /// The metric of the graph of f: I + ∇f ⊗ ∇f.
     Graph(Expression),
     /// c δ.
     Conformal(Expression),
     /// The metric that an immersion X into ℝ^M induces: ∂_i X · ∂_j X.
-    Embedding(Vec<Expression>),
+    Embedding(Expressions),
 }
 
 impl Formula {
+    /// The metric with these components, of which those with i ≤ j are taken.
+    pub(super) fn of_components(g: &[Vec<Expression>]) -> Self {
+        let upper = g.iter().enumerate().flat_map(|(i, row)| &row[i..]);
+        Self::Components(Expressions::new(upper.cloned().collect()))
+    }
+
     /// All formulas in it.
     pub(super) fn expressions(&self) -> Vec<&Expression> {
         match self {
-            Self::Components(g) => g.iter().flatten().collect(),
+            Self::Components(all) | Self::Embedding(all) => all.formulas().iter().collect(),
             Self::Graph(f) | Self::Conformal(f) => vec![f],
-            Self::Embedding(map) => map.iter().collect(),
         }
     }
 }
@@ -77,31 +82,45 @@ impl MetricFile {
 impl<const N: usize> SmoothTensor<N> for FormulaMetric<'_> {
     fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
         match self.formula {
-            Formula::Components(g) => symmetric(|i, j| g[i][j].at(x)),
+            Formula::Components(g) => components(g, x),
             Formula::Conformal(factor) => {
                 let factor = factor.at(x);
                 symmetric(|i, j| if i == j { factor } else { S::zero() })
             }
             Formula::Graph(f) => {
-                let d = gradient(f, x);
+                let d = f.at(&coordinates(x)).d;
                 symmetric(|i, j| S::from_int(i64::from(i == j)) + d[i] * d[j])
             }
             Formula::Embedding(map) => {
-                let d: Vec<[S; N]> = map.iter().map(|f| gradient(f, x)).collect();
-                symmetric(|i, j| {
-                    let mut sum = S::zero();
-                    for d in &d {
-                        sum += d[i] * d[j];
+                let mut g = zeros();
+                map.at(&coordinates(x), |_, f: Jet1<S, N>| {
+                    for i in 0..N {
+                        for j in 0..N {
+                            g[(i, j)] += f.d[i] * f.d[j];
+                        }
                     }
-                    sum
-                })
+                });
+                g
             }
         }
     }
 }
 
-/// ∂_m f in S, by one more jet: its own derivatives, if S has any, are exact as well.
-fn gradient<S: Real, const N: usize>(f: &Expression, x: &[S; N]) -> [S; N] {
-    let x: [Jet1<S, N>; N] = std::array::from_fn(|m| Jet1::coordinate(x[m], m));
-    f.at(&x).d
+fn components<S: Real, const N: usize>(upper: &Expressions, x: &[S; N]) -> Mat<S, N> {
+    let mut g = zeros();
+    let mut next = (0, 0);
+    upper.at(x, |_, value| {
+        let (i, j) = next;
+        (g[(i, j)], g[(j, i)]) = (value, value);
+        next = match j + 1 < N {
+            true => (i, j + 1),
+            false => (i + 1, i + 1),
+        };
+    });
+    g
+}
+
+/// x as jets: with derivatives ∂_m in S, which are exact, and whose own derivatives, if S has any, are exact as well.
+fn coordinates<S: Real, const N: usize>(x: &[S; N]) -> [Jet1<S, N>; N] {
+    std::array::from_fn(|m| Jet1::coordinate(x[m], m))
 }

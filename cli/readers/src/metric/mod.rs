@@ -7,7 +7,7 @@ mod tests;
 pub use formula::{Formula, FormulaMetric};
 
 use super::error::{Fault, InputError, Place, text_of};
-use super::expression::{Expression, nearest};
+use super::expression::{Expression, Expressions, nearest};
 use serde::Deserialize;
 use std::path::Path;
 use toml::Spanned;
@@ -173,7 +173,8 @@ impl Source<'_> {
         let parts = parts
             .iter()
             .map(|text| self.expression("embedding", text, n));
-        Ok(Formula::Embedding(parts.collect::<Result<_, _>>()?))
+        let parts = parts.collect::<Result<Vec<_>, _>>()?;
+        Ok(Formula::Embedding(Expressions::new(parts)))
     }
 
     fn components(
@@ -204,6 +205,6 @@ impl Source<'_> {
         if let Some((i, j, reason)) = formula::asymmetry(&g) {
             return Err(self.fault(rows.get_ref()[i].get_ref()[j].span().start, reason));
         }
-        Ok(Formula::Components(g))
+        Ok(Formula::of_components(&g))
     }
 }

@@ -71,10 +71,10 @@ impl OnMesh for I29 {
         let c = draw.numbers(space.len());
         let psi = function(&space, canonical.solve(&c));
         let regge = variation(&space, draw);
-        let again = canonical.solve(&canonical.evaluate::<f64, _>(&regge, exact));
+        let again = canonical.solve(&canonical.evaluate(&regge, exact));
         let mut all = vec![
             Equation::new("duality")
-                .left("ℓ_i(Σc_jψ_j)", canonical.evaluate::<f64, _>(&psi, exact))
+                .left("ℓ_i(Σc_jψ_j)", canonical.evaluate(&psi, exact))
                 .right("c_i", c),
             Equation::new("projector")
                 .left("J_hσ", again)
@@ -108,8 +108,8 @@ fn average<const N: usize>(
         .map(|(p, g)| p - g)
         .collect();
     Equation::new("average")
-        .left("ℓ_i(g_h)", canonical.evaluate::<f64, _>(&g_h, order))
-        .right("ℓ_i(J_hg)", canonical.evaluate::<f64, _>(&g, order))
+        .left("ℓ_i(g_h)", canonical.evaluate(&g_h, order))
+        .right("ℓ_i(J_hg)", canonical.evaluate(&g, order))
         .right("mean ℓ_i(ḡ_h−g)", averaged(space, &loose, &difference))
 }
 
