@@ -23,3 +23,4 @@ mod regular;
 mod scalars;
 mod threads;
 mod tolerances;
+mod variation;

@@ -8,13 +8,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const PACKAGES: [&str; 6] = [
+const PACKAGES: [&str; 7] = [
     "src",
     "cli/src",
     "cli/readers/src",
     "verify/src",
     "verify/study/src",
     "verify/oracle/src",
+    "python/src",
 ];
 
 /// A module by its path from the root of the package; the root itself is empty.
@@ -191,7 +192,7 @@ fn no_file_imports_a_file_that_imports_it() {
 
 #[test]
 fn no_module_imports_from_above() {
-    for package in ["src", "verify/src"] {
+    for package in ["src", "verify/src", "python/src"] {
         let root = root(package);
         let plan = plan(&root);
         let floor = |module: &Module| {

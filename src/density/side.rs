@@ -121,6 +121,12 @@ impl<'c, F: Algebraic, const N: usize> Side<'c, F, N> {
         let h = times(self.formulas.trace_reversed, self.mean_curvature);
         matrix(|i, j| self.second_form[(i, j)] - h * self.connection.g[(i, j)])
     }
+
+    /// 𝕊σ = σ − g Tr σ. Paper: prop:curvdot.
+    #[inline]
+    pub fn reverse_trace(&self, sigma: &Mat<F, N>) -> Mat<F, N> {
+        self.connection.reverse_trace(self.formulas, sigma)
+    }
 }
 
 /// div_F α = Σ (∇_τ α)(τ) = P^ij (∇_i α)_j; needs α along F only.

@@ -1,13 +1,12 @@
 //! The distributional densitized scalar curvature, and what the boundary adds to it. Paper: def:distcurv.
 
-use super::measure::{Density, Where};
+use super::measure::{Density, Where, full_angle};
 use super::seen::{OnCell, Seen, all_sites};
 use super::walk::pair;
 use super::{Rules, Sums};
 use crate::field::{Evaluate, TensorField};
 use crate::scalar::Real;
 use crate::spaces::{Scalar, TestSpace};
-use std::f64::consts::PI;
 
 /// ⟨(Rω)_dist(g), v⟩ = Σ_T ∫ R v ω + 2 Σ̊_F ∫ ⟦H⟧ v ω_F + 2 Σ̊_S ∫ Θ_S v ω_S for every function v of a test space.
 ///
@@ -92,15 +91,11 @@ fn on<T: Real, const N: usize, G: Evaluate<T, N>>(
 ) -> Vec<Sums<T::Sum>> {
     let formulas = &rules.formulas;
     let curved = !g.is_constant();
-    let halves = match on {
-        Where::Interior => formulas.full_angle,
-        Where::Boundary => formulas.boundary_angle,
-    };
     let mesh = spaces.first().expect("a test space").mesh();
     let seen = Seen::new(g, &all_sites(N, rules), formulas);
     let density = ScalarCurvature::<T, N, G> {
         seen,
-        full_angle: T::from_f64(PI) * T::from_int(halves),
+        full_angle: full_angle(formulas, on),
         sums: [
             curved && on == Where::Interior,
             curved && singular,

@@ -1,6 +1,6 @@
 //! The form a_h and the distributional Einstein tensor. Paper: thm:distcurvdot, def:distein.
 
-use super::measure::{Density, Where};
+use super::measure::{Density, Where, full_angle};
 use super::seen::{OnCell, Seen, Sites, all_sites};
 use super::walk::pair;
 use super::{Rules, Sums, Three};
@@ -11,7 +11,6 @@ use crate::mesh::Mesh;
 use crate::scalar::Real;
 use crate::simplex::subsets;
 use crate::spaces::{Lagrange, ReggeSpace, Scalar, Symmetric, TestSpace, Value};
-use std::f64::consts::PI;
 
 /// a_h(g; σ, v) = Σ_T ∫ ⟨G, σ⟩ v ω + Σ̊_F ∫ ⟨⟦II‾⟧, σ|_F⟩ v ω_F − Σ̊_S ∫ ⟨Θ_S g|_S, σ|_S⟩ v ω_S for every v.
 ///
@@ -22,12 +21,33 @@ pub fn a_h<const N: usize, G: TensorField<N>, H: Evaluate<G::Wide, N>>(
     space: &impl TestSpace<N, Value = Scalar>,
     rules: &Rules,
 ) -> Sums<G::Scalar> {
+    tested_with::<G::Wide, N, G, H>(g, sigma, space, Where::Interior, rules)
+}
+
+/// What the faces and hinges of the boundary would have of a_h: Σ_{F⊂∂Ω} ∫ ⟨II‾, σ|_F⟩ v ω_F
+/// − Σ_{S⊂∂Ω} ∫ (π − Σ_T θ_ST) ⟨g|_S, σ|_S⟩ v ω_S.
+pub(super) fn boundary_a_h<const N: usize, G: TensorField<N>, H: Evaluate<G::Wide, N>>(
+    g: &G,
+    sigma: &H,
+    space: &impl TestSpace<N, Value = Scalar>,
+    rules: &Rules,
+) -> Sums<G::Scalar> {
+    tested_with::<G::Wide, N, G, H>(g, sigma, space, Where::Boundary, rules)
+}
+
+fn tested_with<T: Real, const N: usize, G: Evaluate<T, N>, H: Evaluate<T, N>>(
+    g: &G,
+    sigma: &H,
+    space: &dyn TestSpace<N, Value = Scalar>,
+    on: Where,
+    rules: &Rules,
+) -> Sums<T::Sum> {
     let sites = all_sites(N, rules);
     let against = Field {
         sigma,
         tables: sites.each_ref().map(|sites| sites.tables(sigma)),
     };
-    against_all::<G::Wide, N, G, _>(g, &against, space, &sites, rules)
+    against_all::<T, N, G, _>(g, &against, space, &sites, on, rules)
 }
 
 /// ⟨(Gω)_dist(g), σ⟩ as its three sums: a_h with v = 1. Paper: def:distein.
@@ -52,14 +72,12 @@ pub fn einstein_against<const N: usize, G: TensorField<N>>(
     rules: &Rules,
 ) -> Sums<G::Scalar> {
     let sites = all_sites(N, rules);
-    let against = EdgeComponents {
-        units: sites.each_ref().map(unit_tensors),
-    };
-    against_all::<G::Wide, N, G, _>(g, &against, space, &sites, rules)
+    let against = EdgeComponents::new(&sites);
+    against_all::<G::Wide, N, G, _>(g, &against, space, &sites, Where::Interior, rules)
 }
 
 /// What G ω, II‾ ω_F and −Θ g|_S ω_S are contracted with before they meet the test functions.
-trait Against<T: Real, const N: usize>: Sync {
+pub(super) trait Against<T: Real, const N: usize>: Sync {
     /// The values of the test functions that are left.
     type Value: Value;
     /// What is prepared for a cell.
@@ -114,9 +132,18 @@ impl<T: Real, const N: usize, H: Evaluate<T, N>> Against<T, N> for Field<'_, H, 
 }
 
 /// The tensors with one edge component 1 and all others 0, of each edge of the simplex: the directions of [`Symmetric`].
-struct EdgeComponents<T: Real, const N: usize> {
+pub(super) struct EdgeComponents<T: Real, const N: usize> {
     /// By codimension, place and edge.
     units: [Vec<Vec<Mat<T, N>>>; 3],
+}
+
+impl<T: Real, const N: usize> EdgeComponents<T, N> {
+    /// Of the edges of these simplices.
+    pub fn new(sites: &[Sites; 3]) -> Self {
+        Self {
+            units: sites.each_ref().map(unit_tensors),
+        }
+    }
 }
 
 impl<T: Real, const N: usize> Against<T, N> for EdgeComponents<T, N> {
@@ -164,6 +191,7 @@ fn against_all<T: Real, const N: usize, G: Evaluate<T, N>, A: Against<T, N>>(
     against: &A,
     space: &dyn TestSpace<N, Value = A::Value>,
     sites: &[Sites; 3],
+    on: Where,
     rules: &Rules,
 ) -> Sums<T::Sum> {
     let formulas = &rules.formulas;
@@ -171,9 +199,10 @@ fn against_all<T: Real, const N: usize, G: Evaluate<T, N>, A: Against<T, N>>(
     let density = Einstein {
         seen,
         against,
+        on,
         formulas,
     };
-    let mut sums = pair(space.mesh(), &density, Where::Interior, &[space], rules);
+    let mut sums = pair(space.mesh(), &density, on, &[space], rules);
     sums.pop().expect("one space, one result")
 }
 
@@ -181,6 +210,7 @@ fn against_all<T: Real, const N: usize, G: Evaluate<T, N>, A: Against<T, N>>(
 struct Einstein<'a, T: Real, const N: usize, G: Evaluate<T, N>, A> {
     seen: Seen<'a, T, N, G>,
     against: &'a A,
+    on: Where,
     formulas: &'a Formulas,
 }
 
@@ -195,7 +225,7 @@ where
 
     fn sums(&self) -> [bool; 3] {
         let curved = !self.seen.g.is_constant();
-        [curved, curved, true]
+        [curved && self.on == Where::Interior, curved, true]
     }
 
     fn is_constant_on_hinges(&self) -> bool {
@@ -203,7 +233,7 @@ where
     }
 
     fn full_angle(&self) -> T {
-        T::from_f64(PI) * T::from_int(self.formulas.full_angle)
+        full_angle(self.formulas, self.on)
     }
 
     fn on_cell(&self, cell: usize) -> Self::Local {

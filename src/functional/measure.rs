@@ -4,9 +4,11 @@
 //! (ω_S, traces on S) is the same from each and is taken from the first; `around.rs` puts them together.
 
 use super::Rules;
+use crate::formulas::Formulas;
 use crate::mesh::Mesh;
 use crate::scalar::Real;
 use crate::spaces::Value;
+use std::f64::consts::PI;
 
 /// Which faces and hinges belong to a measure. Cells do whatever this says, if the measure has a density there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +23,15 @@ impl Where {
     pub fn has(self, interior: bool) -> bool {
         interior == (self == Self::Interior)
     }
+}
+
+/// What the angles around a hinge are subtracted from: 2π inside, π on the boundary.
+pub(super) fn full_angle<T: Real>(formulas: &Formulas, on: Where) -> T {
+    let halves = match on {
+        Where::Interior => formulas.full_angle,
+        Where::Boundary => formulas.boundary_angle,
+    };
+    T::from_f64(PI) * T::from_int(halves)
 }
 
 /// A measure on cells, faces and hinges: what one cell has of its density at a block of points, relative to reference measures.

@@ -7,6 +7,7 @@
 //! | [`smooth_curvature`] | ∫ R v ω cell by cell | |
 //! | [`boundary_curvature`] | the boundary terms of Gauss and Bonnet | |
 //! | [`b_h`], [`a_h`] | the two sides' forms in d/dt⟨(Rω)_dist, v⟩ = b_h − a_h | thm:distcurvdot |
+//! | [`variation`], [`variation_adjoint`] | b_h − a_h, and its transpose | thm:distcurvdot |
 //! | [`einstein`] | ⟨(Gω)_dist(g), σ⟩ | def:distein |
 //! | [`einstein_against`] | the same against every Regge basis function | def:distein |
 //! | [`regge_action`], [`action_gradient`], [`action_hessian`] | Regge's action and equations | |
@@ -28,6 +29,7 @@ mod pairing;
 mod rules;
 mod seen;
 mod simplices;
+mod variation;
 mod walk;
 
 pub use action::{
@@ -42,3 +44,4 @@ pub use hessian::b_h;
 pub use integrate::integrate;
 pub use rules::{Rules, Sums, Three};
 pub use simplices::{HingeDefect, angle_defects, cell_volumes};
+pub use variation::{variation, variation_adjoint};
