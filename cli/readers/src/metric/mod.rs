@@ -68,8 +68,11 @@ pub fn read_metric(file: &Path) -> Result<MetricFile, InputError> {
     metric_from(file, &text_of(file)?)
 }
 
-/// [`read_metric`] of a file that is in memory.
-pub(super) fn metric_from(file: &Path, text: &str) -> Result<MetricFile, InputError> {
+/// [`read_metric`] of a text that is in memory; `file` is what refusals call it.
+///
+/// # Errors
+/// As [`read_metric`].
+pub fn metric_from(file: &Path, text: &str) -> Result<MetricFile, InputError> {
     parse_metric(text).map_err(|fault| fault.of(file))
 }
 
