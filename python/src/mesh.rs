@@ -4,7 +4,7 @@ use crate::arrays::{array1, array2, cells, integers};
 use crate::failure::Failure;
 use crate::function::{AnyFunction, Function};
 use crate::job::{self, Watch};
-use crate::source::{Kind, Source};
+use crate::source::{Given, Kind, Source};
 use crate::space::{AnySpace, Space};
 use crate::watched::Watched;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
@@ -118,7 +118,11 @@ impl<const N: usize> AnyMesh for regge_curvature::Mesh<N> {
         // Once to see that it is a metric, and about once more to integrate it.
         watch.expect(2 * self.cell_count());
         let space = ReggeSpace::new(self, degree);
-        Ok(Arc::new(how.apply(&space, &Watched::new(given, watch))?))
+        let g_h = match given {
+            Given::Formula(smooth) => how.apply(&space, &Watched::new(smooth, watch)),
+            sampled @ Given::Sampled(_) => how.apply(&space, &Watched::new(sampled, watch)),
+        };
+        Ok(Arc::new(g_h?))
     }
 }
 

@@ -14,7 +14,7 @@ use regge_curvature::metrics::SmoothTensor;
 use regge_curvature::quadrature::Rule;
 use regge_curvature::scalar::Real;
 use regge_curvature::simplex::Points;
-use regge_curvature::{Lagrange, Mesh, Metric, Smooth};
+use regge_curvature::{Lagrange, Mesh, Metric, Smooth, TensorField};
 use regge_readers::metric::{MetricFile, metric_from, read_metric};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -331,6 +331,12 @@ impl<const N: usize> Evaluate<f64, N> for Given<'_, N> {
             Self::Sampled(_) => None,
         }
     }
+}
+
+/// Point by point: samples are there already, and a formula alone is evaluated by lanes.
+impl<const N: usize> TensorField<N> for Given<'_, N> {
+    type Scalar = f64;
+    type Wide = f64;
 }
 
 impl<const N: usize> Given<'_, N> {
