@@ -22,7 +22,7 @@ fn main() -> Result<(), regge_curvature::Error> {
         let [a, b]: [f64; 2] = [&inside, &boundary].map(|list| list.iter().sum());
         // With v = 0 on the boundary, as in the paper: there R_h is 0, and a few cells away it is the curvature.
         let projection = Projection::new(&g, &test, Tested::Interior, &rules.cells)?;
-        let r_h = projection.apply(&inside);
+        let r_h = projection.apply(&inside)?;
         let near = |v: &usize| mesh.points().is_some_and(|p| p[*v].amax() < 0.5);
         let vertices = (0..mesh.count(0)).filter(near);
         let error = vertices.map(|v| (r_h[v] - 2.0).abs()).fold(0.0, f64::max);

@@ -9,6 +9,7 @@ mod documents;
 mod evaluation;
 mod exactness;
 mod field;
+mod immersion;
 mod interpolate;
 mod lagrange;
 mod mesh;

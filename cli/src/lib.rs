@@ -6,5 +6,6 @@ pub mod curvature;
 pub mod map;
 pub mod npz;
 pub mod plot;
+pub mod ply;
 mod svg;
 pub mod vtu;

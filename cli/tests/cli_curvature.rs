@@ -288,6 +288,7 @@ fn nothing_is_done_twice() {
         boundary: Boundary::GaussBonnet,
         details: true,
         fields: true,
+        table: false,
     };
     let phases = std::cell::RefCell::new(Vec::new());
     let report = curvature(&mesh, &source, &request, &|phase| {

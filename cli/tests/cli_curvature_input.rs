@@ -67,7 +67,12 @@ fn bad_input_is_one_line_and_code_2() {
         refused(&folder, "--mesh bad.json --metric g.toml", expected);
     }
     refused(&folder, "--mesh none.msh --metric g.toml", "none.msh");
-    refused(&folder, "--mesh m.json", "--metric");
+    write(
+        &folder,
+        "abstract.json",
+        r#"{"dimension": 2, "cells": [[0, 1, 2]]}"#,
+    );
+    refused(&folder, "--mesh abstract.json", "give the edge lengths");
     refused(
         &folder,
         "--mesh m.json --metric g.toml --json missing/x.json",

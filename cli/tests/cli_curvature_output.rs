@@ -30,7 +30,7 @@ fn boundary_terms_make_the_total_four_pi_chi() {
         assert!(number(&found, "gauss_bonnet_residual").abs() < residual);
         assert_eq!(found["vertices"].as_array().map(Vec::len), Some(5));
         let table = fs::read_to_string(folder.join("v.csv")).expect("a table");
-        assert!(table.starts_with("vertex,cells,faces,hinges,boundary,total\n"));
+        assert!(table.starts_with("vertex,cells,faces,hinges,boundary,total,area,K_integral,K\n"));
     }
     let paper = curvature(&folder, "--mesh m.json --metric g.toml");
     assert_eq!(paper["boundary"], "none");

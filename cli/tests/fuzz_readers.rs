@@ -198,6 +198,41 @@ fn binary() -> [Vec<u8>; 2] {
     [new, old]
 }
 
+/// A triangle and its neighbour in the formats of surfaces.
+const SURFACES: [&str; 8] = [
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvn 0 0 1\nf 1/1/1 2//1 3\nf -2 -3 \\\n-1\n",
+    "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2 255 0 0\n3 2 1 3\n",
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n\
+     property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2\n3 2 1 3\n",
+    "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty char y\nproperty short z\n\
+     element face 1\nproperty list uchar uchar vertex_index\nend_header\n\x01\x02\x03\0\x03\0\0\0",
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
+    "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n1 1 1 1\nTriangles 2\n1 2 3 4\n3 2 4 5\nEnd\n",
+    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n\
+     CELLS 2 8\n3 0 1 2\n3 2 1 3\nCELL_TYPES 2\n5\n5\n",
+    "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">\
+     <Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points>\
+     <Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"binary\">DAAAAAAAAAABAAAAAgAAAA==</DataArray>\
+     <DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>",
+];
+
+/// They are valid to begin with, but for the bytes.
+#[test]
+fn seeds_of_surfaces_are_read() {
+    let folder = crate::common::files::folder("seeds");
+    for (i, seed) in SURFACES.iter().enumerate().filter(|(i, _)| *i != 3) {
+        crate::common::files::write(&folder, "seed", seed);
+        let output = crate::common::files::regge(&folder, "--mesh seed");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{i}: {said}");
+    }
+}
+
+#[test]
+fn surface_files() {
+    fuzz("surface", &seeds(&SURFACES), trial::mesh);
+}
+
 #[test]
 fn mesh_files() {
     let mut all = seeds(&[MSH_2, MSH_4, TETRAHEDRA, JSON, ABSTRACT]);

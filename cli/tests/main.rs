@@ -12,6 +12,7 @@ mod cli_gmsh;
 mod cli_numbers;
 mod cli_resume;
 mod cli_study;
+mod cli_surface;
 mod cli_words;
 mod common;
 mod fuzz_readers;

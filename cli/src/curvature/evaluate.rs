@@ -3,15 +3,22 @@
 use super::fields::fields;
 use super::given::{Given, Phase};
 use super::norm::Norm;
-use super::report::{About, CurvatureReport, VertexSums};
+use super::report::{About, CurvatureReport, OnSurface, ProjectedCurvature, VertexSums};
 use super::settle::{Orders, Settled, settle_sums};
 use super::simplices::{cells, faces, hinges, is_tested, projected};
 use super::smooth::check_formula;
-use super::sums::{AllSums, Evaluation, Tests};
+use super::sums::{Evaluation, Tests};
 use super::{Boundary, CurvatureError, Request, topology};
-use regge_curvature::functional::Rules;
+use regge_curvature::density::Volume;
+use regge_curvature::field::Evaluate;
+use regge_curvature::functional::{Rules, integrate};
+use regge_curvature::linalg::inverse_and_det;
 use regge_curvature::quadrature::Rule;
 use regge_curvature::spaces::{Indicators, Lagrange};
+
+/// What is said where R_h is, and there is a boundary.
+const OVERSHOOT: &str = "R_h, and K = R_h/2, is the projection of the interior's curvature: it vanishes on the boundary and \
+    overshoots beside it (docs/surfaces.md)";
 
 /// The whole report. The curvature is evaluated once for each order of quadrature, whatever is asked for.
 pub fn report<const N: usize>(
@@ -47,15 +54,20 @@ pub fn report<const N: usize>(
         phase,
     )?;
     let mut report = head(given, request, &sums);
-    report.vertices = vertex_sums(&tests.hats, &sums.value.hats, request.boundary);
     if let Some((name, norm)) = &norm {
         phase("solving for the norm");
         report.norms.insert(name, norm.of(&sums)?);
     }
-    if each {
+    if each || request.table {
         phase("projecting the curvature");
         let (r_h, tested) = projected(given, &tests, &sums, request)?;
         (report.r_h, report.test_functions) = (Some(r_h), tested);
+        if !mesh.is_closed() {
+            report.about.notes.push(OVERSHOOT.into());
+        }
+    }
+    report.vertices = vertex_sums(given, &tests.hats, &sums, report.r_h.as_ref(), request);
+    if each {
         phase("integrating simplex by simplex");
         simplex_by_simplex(given, request, &tests, &sums, &mut report);
     }
@@ -99,8 +111,8 @@ fn simplex_by_simplex<const N: usize>(
     let (simplices, values) = each.expect("simplices are evaluated where they are asked for");
     let cells = cells(simplices, values);
     if request.details {
-        report.hinges = Some(hinges(&given.g_h, sums.order));
-        report.faces = Some(faces(given.g_h.space().mesh(), simplices, values));
+        report.hinges = Some(hinges(given, sums.order));
+        report.faces = Some(faces(given, simplices, values));
     }
     if request.fields {
         let rules = Rules::new(N, sums.order);
@@ -148,13 +160,47 @@ fn head<const N: usize>(
 
 /// Hat functions are numbered as the vertices are.
 fn vertex_sums<const N: usize>(
+    given: &Given<'_, N>,
     hats: &Lagrange<N>,
-    sums: &AllSums,
-    boundary: Boundary,
+    sums: &Settled<Evaluation>,
+    r_h: Option<&ProjectedCurvature>,
+    request: &Request,
 ) -> Vec<VertexSums> {
-    let tested = is_tested(hats, boundary);
-    let all = sums.parts().into_iter().enumerate();
+    let tested = is_tested(hats, request.boundary);
+    let areas = (N == 2).then(|| vertex_volumes(given, hats, &Rules::new(N, sums.order.max(1))));
+    let surface = |vertex: usize, total: f64| {
+        let inside = hats.vanishes_on_boundary(vertex);
+        areas.as_ref().map(|areas| OnSurface {
+            area: areas[vertex],
+            k_integral: 0.5 * total,
+            // The coefficients of the vertices come first, and are the values there.
+            k: r_h
+                .filter(|_| inside)
+                .map(|r_h| 0.5 * r_h.coefficients[vertex].value),
+        })
+    };
+    let all = sums.value.hats.parts().into_iter().enumerate();
     all.filter(|(vertex, _)| tested(vertex))
-        .map(|(vertex, sums)| VertexSums { vertex, sums })
+        .map(|(vertex, sums)| VertexSums {
+            vertex,
+            surface: surface(vertex, sums.total),
+            sums,
+        })
         .collect()
+}
+
+/// ∫ φ ω of every hat function.
+fn vertex_volumes<const N: usize>(
+    given: &Given<'_, N>,
+    hats: &Lagrange<N>,
+    rules: &Rules,
+) -> Vec<f64> {
+    let (g, rule) = (&given.g_h, &rules.cells);
+    let table = Evaluate::<f64, N>::tabulate(g, rule.points());
+    let cells = 0..hats.mesh().cell_count();
+    integrate(hats, N, rule, cells, |cell, _, q| {
+        let local = Evaluate::<f64, N>::on_cell(g, cell);
+        let (_, det) = inverse_and_det(&g.value(&local, &table, q));
+        Volume::from_det(det)
+    })
 }

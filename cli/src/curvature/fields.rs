@@ -3,9 +3,13 @@
 use super::CurvatureError;
 use super::drawn::{Field, Fields};
 use super::given::Given;
+use super::pieces::pieces;
 use super::report::{CurvatureReport, VertexSums};
 use regge_curvature::functional::{Rules, angle_defects, cell_volumes};
 use regge_readers::mesh::MeshFile;
+
+/// What surfaces have at vertices, by the names of [`super::OnSurface`].
+const SURFACE: [&str; 3] = ["area", "K_integral", "K"];
 
 /// Refuses a mesh that has no place in space.
 pub fn check(file: &MeshFile) -> Result<(), CurvatureError> {
@@ -44,31 +48,38 @@ pub fn fields<const N: usize>(
         dimension: N,
         points: points(file),
         cells: file.cells.iter().flatten().map(|&v| v as u32).collect(),
+        pieces: given
+            .points
+            .as_ref()
+            .map_or(Vec::new(), |map| pieces(map, file)),
         on_points,
         on_cells: vec![("R_integral", cells), ("volume", volumes), ("R", mean)],
         groups: file.cell_groups(),
     }
 }
 
-/// The sums of the hat functions, and R_h.
+/// The sums of the hat functions, what surfaces have, and R_h.
 fn on_vertices(report: &CurvatureReport, vertices: usize) -> Vec<Field> {
-    let mut lists = [(); 5].map(|()| vec![f64::NAN; vertices]);
-    for VertexSums { vertex, sums } in &report.vertices {
-        let boundary = sums.boundary.unwrap_or(f64::NAN);
-        let values = [sums.cells, sums.faces, sums.hinges, sums.total, boundary];
+    let mut names = vec!["sum_cells", "sum_faces", "sum_hinges", "sum_total"];
+    names.extend((report.boundary != "none").then_some("sum_boundary"));
+    names.extend(SURFACE.iter().filter(|_| report.about.dimension == 2));
+    let mut lists = vec![vec![f64::NAN; vertices]; names.len()];
+    for VertexSums {
+        vertex,
+        sums,
+        surface,
+    } in &report.vertices
+    {
+        let mut values = vec![sums.cells, sums.faces, sums.hinges, sums.total];
+        values.extend(sums.boundary);
+        if let Some(on) = surface {
+            values.extend([on.area, on.k_integral, on.k.unwrap_or(f64::NAN)]);
+        }
         for (list, value) in lists.iter_mut().zip(values) {
             list[*vertex] = value;
         }
     }
-    let names = [
-        "sum_cells",
-        "sum_faces",
-        "sum_hinges",
-        "sum_total",
-        "sum_boundary",
-    ];
-    let count = if report.boundary == "none" { 4 } else { 5 };
-    let mut fields: Vec<Field> = names.into_iter().zip(lists).take(count).collect();
+    let mut fields: Vec<Field> = names.into_iter().zip(lists).collect();
     if let Some(r_h) = &report.r_h {
         // The coefficients of the vertices come first, and are the values there.
         let values = r_h.coefficients.iter().take(vertices);

@@ -1,12 +1,13 @@
 //! A Regge metric on the mesh of a file, of whatever dimension, and what is to be done with it.
 
+use super::surface::{Dimension, InSpace, is_in_space};
 use super::{CurvatureError, failed, input, smooth, topology};
 use regge_curvature::Error;
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::mesh::Mesh;
 use regge_curvature::metrics::Smooth;
 use regge_curvature::quadrature::Rule;
-use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
+use regge_curvature::spaces::{Immersion, ReggeFunction, ReggeSpace};
 use regge_readers::expression::Expression;
 use regge_readers::mesh::MeshFile;
 use regge_readers::metric::{FormulaMetric, MetricFile};
@@ -20,6 +21,8 @@ pub enum Source {
     Metric(Box<MetricFile>, Interpolant),
     /// A table of edge lengths.
     Lengths(PathBuf),
+    /// The points of the mesh: the metric that a surface or solid has in space.
+    Points,
 }
 
 /// Is told what begins.
@@ -45,6 +48,8 @@ pub struct Given<'a, const N: usize> {
     pub origin: Option<Origin<'a, N>>,
     /// What is to be known beside the numbers, a line each.
     pub notes: Vec<String>,
+    /// The surface or solid that has it, where it is that of the mesh's points.
+    pub points: Option<Immersion<N>>,
 }
 
 /// Does a thing in the dimension of a mesh file: `by_dimension!(file, N => expression)`, where N is a constant in the expression.
@@ -77,7 +82,10 @@ macro_rules! by_dimension {
 }
 pub(super) use by_dimension;
 
-impl<'a, const N: usize> Given<'a, N> {
+impl<'a, const N: usize> Given<'a, N>
+where
+    Dimension<N>: InSpace<N>,
+{
     /// Reads the lengths or interpolates the metric, in degree r.
     ///
     /// # Errors
@@ -89,6 +97,9 @@ impl<'a, const N: usize> Given<'a, N> {
         phase: Phase<'_>,
     ) -> Result<Self, CurvatureError> {
         match source {
+            Source::Metric(metric, interpolant) if is_in_space(file, metric) => {
+                Self::in_space(file, metric, *interpolant, degree, phase)
+            }
             Source::Metric(metric, _) if metric.dimension != N => {
                 Err(CurvatureError::Input(format!(
                     "the metric has dimension {}, the mesh {} has {N}",
@@ -100,7 +111,29 @@ impl<'a, const N: usize> Given<'a, N> {
                 Self::by_metric(file, metric, *interpolant, degree, phase)
             }
             Source::Lengths(lengths) => Self::by_lengths(file, lengths, phase),
+            Source::Points => Self::by_points(file, phase),
         }
+    }
+
+    /// A formula in the coordinates of space, on the surface that lies in it.
+    fn in_space(
+        file: &'a MeshFile,
+        metric: &MetricFile,
+        interpolant: Interpolant,
+        degree: usize,
+        phase: Phase<'_>,
+    ) -> Result<Self, CurvatureError> {
+        phase("interpolating the metric on the surface");
+        let made = Dimension::<N>::interpolate(file, metric, interpolant, degree);
+        let (g_h, points) = made?;
+        Ok(Self {
+            file,
+            g_h,
+            interpolant: interpolant.name(),
+            origin: None,
+            notes: notes(file, points.mesh(), kinks(metric)),
+            points: Some(points),
+        })
     }
 
     fn by_lengths(
@@ -119,6 +152,21 @@ impl<'a, const N: usize> Given<'a, N> {
             interpolant: "lengths",
             origin: None,
             notes: notes(file, &mesh, None),
+            points: None,
+        })
+    }
+
+    /// The edges' lengths in space, or F*δ where cells are curved.
+    fn by_points(file: &'a MeshFile, phase: Phase<'_>) -> Result<Self, CurvatureError> {
+        phase("building the mesh");
+        let points = file.immersion::<N>()?;
+        Ok(Self {
+            file,
+            g_h: points.metric(),
+            interpolant: "points",
+            origin: None,
+            notes: notes(file, points.mesh(), None),
+            points: Some(points),
         })
     }
 
@@ -149,6 +197,7 @@ impl<'a, const N: usize> Given<'a, N> {
                 scalar_curvature: metric.exact_scalar_curvature.as_ref(),
             }),
             notes: notes(file, &mesh, kinks(metric)),
+            points: None,
         })
     }
 }

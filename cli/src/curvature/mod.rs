@@ -1,4 +1,4 @@
-//! From a mesh and a metric, or a mesh and edge lengths, to the distributional curvature.
+//! From a mesh with its points, with a metric, or with edge lengths, to the distributional curvature.
 
 mod action;
 mod arrays;
@@ -8,21 +8,23 @@ mod evaluate;
 mod fields;
 mod given;
 mod norm;
+mod pieces;
 mod report;
 mod settle;
 mod simplices;
 mod smooth;
 mod sums;
+mod surface;
 mod topology;
 
 pub use action::{ActionReport, EdgeDerivative, action};
 pub use arrays::Arrays;
-pub use drawn::Fields;
+pub use drawn::{Fields, FlatPiece};
 pub use einstein::{EinsteinReport, EinsteinSums, einstein};
 pub use given::{Phase, Source};
 pub use norm::LARGEST_WITH_NORM;
 pub use report::{
-    About, CurvatureReport, FaceJump, HingeDefect, NormError, Parts, Piece, Projected,
+    About, CurvatureReport, FaceJump, HingeDefect, NormError, OnSurface, Parts, Piece, Projected,
     ProjectedCurvature, QuadratureUsed, TestSums, VertexSums,
 };
 
@@ -62,6 +64,8 @@ pub struct Request {
     pub details: bool,
     /// What a picture needs?
     pub fields: bool,
+    /// The table of the vertices, with R_h there?
+    pub table: bool,
 }
 
 /// Why there is no curvature.

@@ -44,7 +44,12 @@ impl<'a, const N: usize> Norm<'a, N> {
             return Err(CurvatureError::Input(reason));
         }
         let Some(origin) = &given.origin else {
-            let reason = "the error needs a smooth metric to compare with: give --metric";
+            let reason = match &given.points {
+                Some(_) => {
+                    "a norm is for a domain of ℝ^N with a formula, not for a surface or curved cells"
+                }
+                None => "the error needs a smooth metric to compare with: give --metric",
+            };
             return Err(CurvatureError::Input(reason.into()));
         };
         if let Some(exact) = origin.scalar_curvature.filter(|_| !trusted) {

@@ -83,7 +83,7 @@ pub struct About {
     pub dimension: usize,
     /// r.
     pub degree: usize,
-    /// How the Regge metric was made: the interpolant's name, or `lengths`.
+    /// How the Regge metric was made: the interpolant's name, `lengths`, or `points` for the surface's own.
     pub interpolant: String,
     /// The quadrature of the sums.
     pub quadrature: QuadratureUsed,
@@ -202,11 +202,27 @@ impl Parts {
 /// The curvature against the hat function of a vertex.
 #[derive(Clone, Debug, Serialize)]
 pub struct VertexSums {
-    /// Its index in the file, from 0.
+    /// Its index in the file, from 0, those not counted that belong to no cell.
     pub vertex: usize,
     /// The sums.
     #[serde(flatten)]
     pub sums: Parts,
+    /// For N = 2, what is said of surfaces.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<OnSurface>,
+}
+
+/// The Gauss curvature K = R/2 of a surface at a vertex, φ its hat function.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct OnSurface {
+    /// ∫ φ ω: for flat triangles a third of the area around it.
+    pub area: f64,
+    /// ∫ K φ ω, half of the total: for flat triangles the angle defect, on the boundary (where its terms are asked for) π − Σθ.
+    #[serde(rename = "K_integral")]
+    pub k_integral: f64,
+    /// ½ R_h at the vertex, if R_h was computed; none on the boundary, where the functional has point measures and no function.
+    #[serde(rename = "K", skip_serializing_if = "Option::is_none")]
+    pub k: Option<f64>,
 }
 
 /// The curvature against one of Bernstein's basis functions.

@@ -6,15 +6,14 @@ use super::settle::Settled;
 use super::sums::{AllSums, Evaluation, Tests};
 use super::{Boundary, CurvatureError, Request, failed};
 use regge_curvature::functional::{Sums, angle_defects};
-use regge_curvature::mesh::Mesh;
 use regge_curvature::project::{Projection, Tested};
 use regge_curvature::quadrature::Rule;
-use regge_curvature::spaces::{Indicators, Lagrange, ReggeFunction};
+use regge_curvature::spaces::{Indicators, Lagrange};
 
 /// Θ_S and |S| of the interior hinges.
-pub fn hinges<const N: usize>(g_h: &ReggeFunction<f64, N>, order: usize) -> Vec<HingeDefect> {
-    let mesh = g_h.space().mesh();
-    let all = angle_defects(g_h, mesh, order).into_iter();
+pub fn hinges<const N: usize>(given: &Given<'_, N>, order: usize) -> Vec<HingeDefect> {
+    let mesh = given.g_h.space().mesh();
+    let all = angle_defects(&given.g_h, mesh, order).into_iter();
     all.map(|one| HingeDefect {
         vertices: mesh.vertices(N - 2, one.hinge).to_vec(),
         defect: one.defect,
@@ -30,11 +29,11 @@ pub fn cells<const N: usize>(each: &Indicators<N>, sums: &Sums<f64>) -> Vec<f64>
 
 /// ∫⟦H⟧ of the interior faces, which are half of what they contribute to the sum over faces.
 pub fn faces<const N: usize>(
-    mesh: &Mesh<N>,
+    given: &Given<'_, N>,
     each: &Indicators<N>,
     sums: &Sums<f64>,
 ) -> Vec<FaceJump> {
-    let jumps = &sums.faces[each.range(1)];
+    let (jumps, mesh) = (&sums.faces[each.range(1)], given.g_h.space().mesh());
     let all = mesh.interior_faces();
     all.map(|face| FaceJump {
         vertices: mesh.vertices(N - 1, face).to_vec(),
@@ -70,7 +69,8 @@ pub fn test_sums<const N: usize>(
         .collect()
 }
 
-/// R_h^(q), with its sums if they were asked for.
+/// R_h^(q), with its sums if they were asked for. It is the paper's: the projection of the interior's measures onto functions that
+/// vanish on the boundary, whatever is added up there.
 pub fn projected<const N: usize>(
     given: &Given<'_, N>,
     tests: &Tests<'_, N>,
@@ -81,14 +81,11 @@ pub fn projected<const N: usize>(
     let value = &settled.value;
     let sums = value.finer.as_ref().unwrap_or(&value.hats);
     let degree = space.degree();
-    let tested = match request.boundary {
-        Boundary::None => Tested::Interior,
-        Boundary::GaussBonnet => Tested::All,
-    };
     // The product of two test functions at the least.
     let rule = Rule::new(N, settled.order.max(2 * degree));
-    let projection = Projection::new(&given.g_h, space, tested, &rule).map_err(failed)?;
-    let coefficients = projection.apply(&sums.total());
+    let projection = Projection::new(&given.g_h, space, Tested::Interior, &rule);
+    let projected = projection.and_then(|projection| projection.apply(&sums.inner.total()));
+    let coefficients = projected.map_err(failed)?;
     let list = coefficients.iter().enumerate().map(|(dof, &value)| {
         let (k, simplex) = space.owner(dof);
         Projected {

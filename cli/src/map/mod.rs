@@ -1,12 +1,17 @@
-//! Colour maps of fields on a plane mesh as SVG: one panel a field, each with its colour bar.
+//! Pictures as SVG: fields on a plane mesh, one panel each, and surfaces in space as they are seen from somewhere.
 
+mod bar;
 mod panel;
 mod range;
+mod scene;
+mod surface;
+mod view;
 
 use crate::curvature::Fields;
 use crate::svg::escaped;
 use panel::{Plane, Shown};
 use std::fmt::Write;
+pub use view::{Up, View};
 
 /// More cells than this make no picture, and an SVG that no viewer opens.
 pub const LARGEST: usize = 100_000;
@@ -16,12 +21,16 @@ const TITLE: f64 = 56.0;
 const BAR: f64 = 130.0;
 const MARGIN: f64 = 24.0;
 
-/// The picture: R in cells (if there is any), R_h, and Θ at the vertices.
+/// The picture: of a plane mesh R in cells (if there is any), R_h, and Θ at the vertices; of a surface in space K.
 ///
 /// # Errors
-/// If the mesh is not plane or too large, in words.
-pub fn svg(fields: &Fields, title: &str) -> Result<String, String> {
+/// If the mesh is not one of triangles, or too large, in words.
+pub fn svg(fields: &Fields, title: &str, view: &View) -> Result<String, String> {
     check(fields)?;
+    let mut heights = fields.points.iter().skip(2).step_by(3);
+    if heights.any(|z| *z != fields.points[2]) {
+        return Ok(surface::svg(fields, title, view));
+    }
     let plane = Plane::new(fields);
     let panels = panels(fields);
     let step = plane.width + BAR + MARGIN;

@@ -1,5 +1,6 @@
-//! One panel: a field on the cells or at the vertices, and its colour bar.
+//! One panel of a plane mesh: a field on the cells or at the vertices, and its colour bar.
 
+use super::bar::bar;
 use super::range::Range;
 use crate::curvature::Fields;
 use std::fmt::Write;
@@ -68,8 +69,7 @@ impl Plane {
                 range
             }
         };
-        self.bar(&range, text);
-        self.labels(&range, text);
+        bar(&range, [self.width, self.height], text);
     }
 
     fn cells(&self, fields: &Fields, fill: impl Fn(usize) -> String, text: &mut String) {
@@ -103,42 +103,6 @@ impl Plane {
                 "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"{fill}\" \
                  stroke=\"#444\" stroke-width=\"{:.2}\"/>",
                 radius.min(3.0) * 0.15
-            );
-        }
-    }
-
-    /// The colour bar to the right of the panel.
-    fn bar(&self, range: &Range, text: &mut String) {
-        let (left, steps) = (self.width + 16.0, 100);
-        let step = self.height / f64::from(steps);
-        for i in 0..steps {
-            let part = (f64::from(i) + 0.5) / f64::from(steps);
-            let fill = range.color(range.low + part * (range.high - range.low));
-            let _ = writeln!(
-                text,
-                "<rect x=\"{left:.1}\" y=\"{:.2}\" width=\"18\" height=\"{:.2}\" fill=\"{fill}\"/>",
-                self.height - f64::from(i + 1) * step,
-                step + 0.5
-            );
-        }
-        let _ = writeln!(
-            text,
-            "<rect x=\"{left:.1}\" y=\"0\" width=\"18\" height=\"{:.2}\" fill=\"none\" stroke=\"#444\"/>",
-            self.height
-        );
-    }
-
-    /// Five values beside the bar, its ends among them.
-    fn labels(&self, range: &Range, text: &mut String) {
-        for i in 0..=4 {
-            let part = f64::from(i) / 4.0;
-            let value = range.low + part * (range.high - range.low);
-            let _ = writeln!(
-                text,
-                "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"13\">{}</text>",
-                self.width + 41.0,
-                self.height * (1.0 - part) + 4.5,
-                range.label(value)
             );
         }
     }

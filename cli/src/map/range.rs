@@ -21,7 +21,12 @@ pub struct Range {
     pub low: f64,
     /// The largest.
     pub high: f64,
+    /// Are there values below, and above?
+    pub beyond: [bool; 2],
 }
+
+/// The part of the values at either end that may be beyond the colours, where they would leave all others alike.
+const BEYOND: f64 = 0.02;
 
 impl Range {
     /// From the least to the largest value; a little around them where they are one.
@@ -40,20 +45,54 @@ impl Range {
             true => Self {
                 low: low - half,
                 high: high + half,
+                beyond: [false; 2],
             },
             false => Self {
                 low: -1.0,
                 high: 1.0,
+                beyond: [false; 2],
             },
+        }
+    }
+
+    /// Without the outermost two of a hundred values at either end, if these take more than two thirds of the whole range: noise
+    /// of a scanned surface, corners of a box.
+    pub fn without_outliers(values: &[f64]) -> Self {
+        let mut sorted: Vec<f64> = values.iter().copied().filter(|x| x.is_finite()).collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let all = Self::new(values);
+        let Some(last) = sorted.len().checked_sub(1) else {
+            return all;
+        };
+        let out = (BEYOND * last as f64) as usize;
+        let inner = Self::new(&sorted[out..=last - out]);
+        match inner.high - inner.low < (all.high - all.low) / 3.0 {
+            true => Self {
+                beyond: [all.low < inner.low, all.high > inner.high],
+                ..inner
+            },
+            false => all,
         }
     }
 
     /// With both signs: white at 0, full colour at the largest absolute value. With one: from end to end.
     pub fn color(&self, value: f64) -> String {
+        self.lit(value, 1.0)
+    }
+
+    /// The colour in a light between 0 and 1.
+    pub fn lit(&self, value: f64, light: f64) -> String {
+        let [r, g, b] = self
+            .rgb(value)
+            .map(|part| (f64::from(part) * light).round() as u8);
+        format!("#{r:02x}{g:02x}{b:02x}")
+    }
+
+    fn rgb(&self, value: f64) -> [u8; 3] {
         if !value.is_finite() {
-            return "#bbbbbb".into();
+            return [0xbb; 3];
         }
-        let [r, g, b] = match self.low < 0.0 && self.high > 0.0 {
+        match self.low < 0.0 && self.high > 0.0 {
             true => {
                 let part = (value / self.low.abs().max(self.high.abs())).clamp(-1.0, 1.0);
                 let end = if part < 0.0 { NEGATIVE } else { POSITIVE };
@@ -64,8 +103,7 @@ impl Range {
                 let first = (part as usize).min(3);
                 mixed(VIRIDIS[first], VIRIDIS[first + 1], part - first as f64)
             }
-        };
-        format!("#{r:02x}{g:02x}{b:02x}")
+        }
     }
 
     /// With as many digits as tell the ends apart.

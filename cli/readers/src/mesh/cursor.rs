@@ -1,4 +1,4 @@
-//! A place in a Gmsh file, from which lines, numbers and bytes are read.
+//! A place in a file, from which lines, numbers and bytes are read.
 
 use crate::error::{Fault, Place};
 
@@ -21,6 +21,8 @@ pub struct Cursor<'a> {
     line: u64,
     /// How numbers are written.
     pub encoding: Encoding,
+    /// What begins a comment, which ends with its line.
+    pub comment: Option<u8>,
 }
 
 impl<'a> Cursor<'a> {
@@ -31,6 +33,7 @@ impl<'a> Cursor<'a> {
             at: 0,
             line: 1,
             encoding: Encoding::Ascii,
+            comment: None,
         }
     }
 
@@ -47,9 +50,13 @@ impl<'a> Cursor<'a> {
         Fault::new(self.place(), reason)
     }
 
-    /// Nothing left but white space?
-    pub fn is_at_end(&self) -> bool {
-        self.bytes[self.at..].iter().all(u8::is_ascii_whitespace)
+    /// Nothing left but white space and comments?
+    pub fn is_at_end(&mut self) -> bool {
+        let start = (self.at, self.line);
+        self.skip_space();
+        let end = self.at == self.bytes.len();
+        (self.at, self.line) = start;
+        end
     }
 
     /// How many bytes are left: no more things than that can follow.
@@ -58,10 +65,27 @@ impl<'a> Cursor<'a> {
     }
 
     fn skip_space(&mut self) {
-        while let Some(byte) = self.bytes.get(self.at).filter(|b| b.is_ascii_whitespace()) {
-            self.line += u64::from(*byte == b'\n');
-            self.at += 1;
+        while let Some(&byte) = self.bytes.get(self.at) {
+            if Some(byte) == self.comment {
+                self.finish_line();
+            } else if byte.is_ascii_whitespace() {
+                self.line += u64::from(byte == b'\n');
+                self.at += 1;
+            } else {
+                break;
+            }
         }
+    }
+
+    /// Passes over so many bytes, or all that are left.
+    pub fn skip(&mut self, bytes: usize) {
+        self.at = (self.at + bytes).min(self.bytes.len());
+    }
+
+    /// The place of the next number or word.
+    pub fn aligned(&mut self) -> Place {
+        self.align();
+        self.place()
     }
 
     /// To the next number, so that its line is known; bytes are where they are.
@@ -96,6 +120,48 @@ impl<'a> Cursor<'a> {
             .map_err(|_| self.fault("bytes where text is expected"))?;
         self.at += end.unwrap_or(rest.len());
         Ok(word)
+    }
+
+    /// Nothing but spaces left on this line?
+    pub fn is_line_empty(&self) -> bool {
+        let mut rest = self.bytes[self.at..].iter().take_while(|b| **b != b'\n');
+        self.at == self.bytes.len() || rest.all(u8::is_ascii_whitespace)
+    }
+
+    /// The next word, which is read again.
+    pub fn peek(&mut self) -> Result<&'a str, Fault> {
+        let start = (self.at, self.line);
+        let word = self.word();
+        if word.is_ok() {
+            (self.at, self.line) = start;
+        }
+        word
+    }
+
+    /// This word, in small or large letters.
+    pub fn keyword(&mut self, word: &str) -> Result<(), Fault> {
+        let (place, found) = (self.aligned(), self.word()?);
+        match found.eq_ignore_ascii_case(word) {
+            true => Ok(()),
+            false => {
+                let reason = format!("'{found}' where {word} is expected");
+                Err(Fault::new(place, reason))
+            }
+        }
+    }
+
+    /// The end of a line behind its last word, as it may be written: what follows may be bytes.
+    pub fn end_line(&mut self) {
+        while matches!(self.bytes.get(self.at), Some(b' ' | b'\t')) {
+            self.at += 1;
+        }
+        if self.bytes.get(self.at) == Some(&b'\r') {
+            self.at += 1;
+        }
+        if self.bytes.get(self.at) == Some(&b'\n') {
+            self.at += 1;
+            self.line += 1;
+        }
     }
 
     /// What is left of this line, its end included.
@@ -153,6 +219,38 @@ impl<'a> Cursor<'a> {
             Encoding::Ascii => self.spelled(what),
             Encoding::Binary { big_endian: true } => Ok(u64::from_be_bytes(self.raw()?)),
             Encoding::Binary { .. } => Ok(u64::from_le_bytes(self.raw()?)),
+        }
+    }
+
+    /// A byte.
+    pub fn byte(&mut self) -> Result<u8, Fault> {
+        Ok(self.raw::<1>()?[0])
+    }
+
+    /// 16 bits.
+    pub fn short(&mut self) -> Result<u16, Fault> {
+        match self.encoding {
+            Encoding::Binary { big_endian: true } => Ok(u16::from_be_bytes(self.raw()?)),
+            _ => Ok(u16::from_le_bytes(self.raw()?)),
+        }
+    }
+
+    /// A number in single precision, whatever it is.
+    pub fn any_single(&mut self) -> Result<f64, Fault> {
+        let bits = match self.encoding {
+            Encoding::Binary { big_endian: true } => u32::from_be_bytes(self.raw()?),
+            _ => u32::from_le_bytes(self.raw()?),
+        };
+        Ok(f64::from(f32::from_bits(bits)))
+    }
+
+    /// A coordinate in single precision: a finite number.
+    pub fn single(&mut self) -> Result<f64, Fault> {
+        let place = self.place();
+        let value = self.any_single()?;
+        match value.is_finite() {
+            true => Ok(value),
+            false => Err(Fault::new(place, format!("a coordinate is {value}"))),
         }
     }
 

@@ -35,6 +35,7 @@ pub fn parse(bytes: &[u8]) -> Result<MeshFile, Fault> {
     Ok(MeshFile {
         file: PathBuf::new(),
         dimension: n,
+        curved: None,
         vertices,
         coordinates,
         width,

@@ -1,11 +1,14 @@
-//! Meshes from files: Gmsh 2.2 and 4.1, text and binary, and our own JSON.
+//! Meshes from files: Gmsh 2.2 and 4.1, our own JSON, and the formats of surfaces: OBJ, PLY, STL, OFF, VTK, MEDIT.
 
 mod build;
 mod cursor;
+mod formats;
 mod gmsh;
 mod hanging;
 mod json;
 mod kinds;
+mod lattice;
+mod soup;
 #[cfg(test)]
 mod tests;
 mod unused;
@@ -31,10 +34,23 @@ pub struct MeshFile {
     pub cells: Vec<Vec<usize>>,
     /// The physical groups.
     pub groups: Vec<Group>,
+    /// The geometry of cells with curved edges; none where they are straight.
+    pub curved: Option<Curved>,
     /// What was done to the file's contents that its author may want to know, a line each.
     pub notes: Vec<String>,
     vertex_places: Vec<Place>,
     cell_places: Vec<Place>,
+}
+
+/// Cells of order k > 1 by the places of their nodes.
+#[derive(Clone, Debug)]
+pub struct Curved {
+    /// k.
+    pub order: usize,
+    /// The nodes of each cell in Gmsh's order, three coordinates each.
+    points: Vec<f64>,
+    /// Which points of the file are nodes but no corners of cells.
+    nodes: Vec<bool>,
 }
 
 /// A physical group of Gmsh's: what has been given one tag.
@@ -67,7 +83,8 @@ impl MeshFile {
     }
 }
 
-/// Reads a mesh: JSON if the file begins with a brace, Gmsh if it begins with `$`.
+/// Reads a mesh, in the format that the file's beginning shows: JSON ({), Gmsh ($MeshFormat), PLY, OFF, VTK, MEDIT, STL, OBJ; for the
+/// last two the ending of its name counts as well.
 ///
 /// # Errors
 /// Names the file, the line or byte, and what is wrong.
@@ -82,10 +99,13 @@ pub(super) fn mesh_from(file: &Path, bytes: &[u8]) -> Result<MeshFile, InputErro
     let parsed = match bytes.iter().find(|b| !b.is_ascii_whitespace()) {
         Some(b'{') => json::parse(bytes),
         Some(b'$') => gmsh::parse(bytes),
-        _ => Err(Fault::new(
-            Place::Whole,
-            "is no mesh: neither Gmsh's ($MeshFormat) nor JSON ({)",
-        )),
+        _ => match formats::reader(file, bytes) {
+            Some(parse) => parse(bytes),
+            None => Err(Fault::new(
+                Place::Whole,
+                "is no mesh: none of Gmsh ($MeshFormat), JSON ({), OBJ, PLY, STL, OFF, VTK, MEDIT",
+            )),
+        },
     };
     let mesh = parsed.map_err(|fault| fault.of(file))?;
     Ok(MeshFile {

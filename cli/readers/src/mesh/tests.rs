@@ -222,8 +222,8 @@ fn what_is_no_mesh_is_refused_at_its_line() {
         (
             "2 2 2 7 1 1 2 5",
             "2 9 2 7 1 1 2 5 4 3 1",
-            19,
-            "6-node triangle",
+            20,
+            "order 1 among others of order 2",
         ),
         ("2 2 2 7 1 1 2 5", "2 99 2 7 1 1 2 5", 19, "unknown type 99"),
         (

@@ -16,11 +16,16 @@ impl MeshFile {
         if left == self.vertices {
             return;
         }
-        self.notes.push(format!(
-            "{} of {} nodes belong to no cell and are left out; vertices are counted without them",
-            self.vertices - left,
-            self.vertices
-        ));
+        // Nodes of curved cells that are no corners are no vertices, but they are used.
+        let further = self.curved.as_ref().map_or(&[][..], |curved| &curved.nodes);
+        let is_lost = |node: &usize| new[*node].is_none() && further.get(*node) != Some(&true);
+        let dropped = (0..self.vertices).filter(is_lost).count();
+        if dropped > 0 {
+            self.notes.push(format!(
+                "{dropped} of {} nodes belong to no cell and are left out; vertices are counted without them",
+                self.vertices
+            ));
+        }
         self.vertices = left;
         let width = self.width;
         let mut kept = new.iter();

@@ -79,6 +79,37 @@ impl MetricFile {
     }
 }
 
+/// A metric file in two or three coordinates, seen in space: a formula in x and y knows nothing of z.
+#[derive(Clone, Copy, Debug)]
+pub struct InSpace<'f> {
+    formula: FormulaMetric<'f>,
+    /// In x and y alone.
+    plane: bool,
+}
+
+impl MetricFile {
+    /// The tensor on ℝ³ that surfaces and curved cells inherit; the file's dimension must be 2 or 3.
+    pub fn in_space(&self) -> InSpace<'_> {
+        InSpace {
+            formula: self.metric(),
+            plane: self.dimension == 2,
+        }
+    }
+}
+
+impl SmoothTensor<3> for InSpace<'_> {
+    fn at<S: Real>(&self, x: &[S; 3]) -> Mat<S, 3> {
+        if !self.plane {
+            return self.formula.at(x);
+        }
+        let g: Mat<S, 2> = self.formula.at(&[x[0], x[1]]);
+        symmetric(|i, j| match (i, j) {
+            (0 | 1, 0 | 1) => g[(i, j)],
+            _ => S::zero(),
+        })
+    }
+}
+
 impl<const N: usize> SmoothTensor<N> for FormulaMetric<'_> {
     fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
         match self.formula {

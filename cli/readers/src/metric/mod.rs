@@ -4,7 +4,7 @@ mod formula;
 #[cfg(test)]
 mod tests;
 
-pub use formula::{Formula, FormulaMetric};
+pub use formula::{Formula, FormulaMetric, InSpace};
 
 use super::error::{Fault, InputError, Place, text_of};
 use super::expression::{Expression, Expressions, nearest};

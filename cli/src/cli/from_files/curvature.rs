@@ -10,11 +10,13 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use regge_cli::curvature::{
     Boundary, CurvatureReport, Fields, LARGEST_WITH_NORM, Request, curvature,
 };
-use regge_cli::{map, vtu};
+use regge_cli::map::{self, View};
+use regge_cli::{ply, vtu};
 use regge_curvature::norm::Kind;
 use regge_readers::mesh::MeshFile;
 use regge_terminal::output::{self, Named};
 use regge_terminal::{Out, Stop};
+use std::f64::consts::PI;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -60,9 +62,20 @@ pub struct Args {
     vtu: Option<PathBuf>,
     #[command(flatten)]
     simplices: SimplexFiles,
-    /// Draw the curvature of a plane mesh, as .svg, or as .png in a build with --features png
+    /// Write a surface with K at its vertices to this file, for MeshLab and Blender
+    #[arg(long, value_name = "FILE")]
+    ply: Option<PathBuf>,
+    /// Draw the curvature of a plane mesh or a surface, as .svg, or as .png in a build with --features png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// From where the picture shows a surface, in degrees, and which axis is up [default: 30,20,z; for .obj 30,20,y]
+    #[arg(
+        long,
+        value_name = "AZIMUTH,ELEVATION[,UP]",
+        requires = "plot",
+        allow_hyphen_values = true
+    )]
+    view: Option<String>,
 }
 
 /// Norms that can be asked for: those of the library's table, which is the same for every dimension.
@@ -109,6 +122,7 @@ impl Args {
         }
         self.vtu.as_deref().map_or(Ok(()), check_vtu)?;
         self.simplices.check()?;
+        self.view()?;
         self.given.check(&self.outputs())
     }
 
@@ -126,6 +140,10 @@ impl Args {
             );
             return Err(Stop::Usage(reason));
         }
+        if self.ply.is_some() && n != 2 {
+            let reason = format!("--ply is for surfaces, not for dimension {n}: write --vtu");
+            return Err(Stop::Usage(reason));
+        }
         if self.plot.is_some() && cells > map::LARGEST {
             let reason = format!(
                 "{cells} cells are too many for a picture (the limit is {}): write --vtu and look at it with ParaView",
@@ -136,11 +154,24 @@ impl Args {
         Ok(())
     }
 
+    /// From where a surface is seen.
+    fn view(&self) -> Result<View, Stop> {
+        let usual = View::of(&self.given.mesh);
+        match &self.view {
+            Some(text) => {
+                let view = usual.changed(text);
+                view.map_err(|reason| Stop::Usage(format!("--view {reason}")))
+            }
+            None => Ok(usual),
+        }
+    }
+
     fn outputs(&self) -> Vec<Named<'_>> {
         let mut all = self.files.list();
         all.extend(self.simplices.list());
         all.extend(output::given([
             ("--vtu", &self.vtu),
+            ("--ply", &self.ply),
             ("--plot", &self.plot),
         ]));
         all
@@ -161,7 +192,11 @@ impl Args {
                 AtBoundary::GaussBonnet => Boundary::GaussBonnet,
             },
             details: self.files.want_details() || self.simplices.want_details(),
-            fields: self.vtu.is_some() || self.plot.is_some() || self.simplices.want_fields(),
+            fields: self.vtu.is_some()
+                || self.ply.is_some()
+                || self.plot.is_some()
+                || self.simplices.want_fields(),
+            table: self.files.csv.is_some(),
         }
     }
 
@@ -174,8 +209,11 @@ impl Args {
         if let Some(path) = &self.vtu {
             output::write_by(path, |out| vtu::write(fields, out))?;
         }
+        if let Some(path) = &self.ply {
+            output::write_by(path, |out| ply::write(fields, out))?;
+        }
         match &self.plot {
-            Some(path) => draw(path, report, fields),
+            Some(path) => draw(path, report, fields, &self.view()?),
             None => Ok(()),
         }
     }
@@ -196,6 +234,8 @@ impl Args {
         writeln!(out, "boundary terms: {}", report.boundary)?;
         writeln!(out, "total curvature {:.12e}", report.total_curvature)?;
         if let Some(residual) = report.gauss_bonnet_residual {
+            let flat = 4.0 * PI * report.euler_characteristic as f64;
+            writeln!(out, "4 pi chi        {flat:.12e}")?;
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
         }
         show_pieces(report, out)?;
@@ -234,20 +274,30 @@ fn show_pieces(report: &CurvatureReport, out: &mut Out) -> io::Result<()> {
 fn table(report: &CurvatureReport, out: &mut dyn Write) -> io::Result<()> {
     let more = report.boundary != "none";
     let name = if more { ",boundary" } else { "" };
-    writeln!(out, "vertex,cells,faces,hinges{name},total")?;
+    let surface = match report.about.dimension {
+        2 => ",area,K_integral,K",
+        _ => "",
+    };
+    writeln!(out, "vertex,cells,faces,hinges{name},total{surface}")?;
     for v in &report.vertices {
         write!(out, "{},", v.vertex)?;
         files::parts(out, &v.sums)?;
+        if let Some(on) = &v.surface {
+            write!(out, ",{:e},{:e},", on.area, on.k_integral)?;
+            // None on the boundary: an empty field.
+            on.k.map_or(Ok(()), |k| write!(out, "{k:e}"))?;
+        }
+        writeln!(out)?;
     }
     Ok(())
 }
 
-fn draw(path: &Path, report: &CurvatureReport, fields: &Fields) -> Result<(), Stop> {
+fn draw(path: &Path, report: &CurvatureReport, fields: &Fields, view: &View) -> Result<(), Stop> {
     let about = &report.about;
     let title = format!(
         "{}: {} cells, {}, degree {}",
         about.mesh, report.cell_count, about.interpolant, about.degree
     );
-    let svg = map::svg(fields, &title).map_err(Stop::Input)?;
+    let svg = map::svg(fields, &title, view).map_err(Stop::Input)?;
     picture::write(path, svg)
 }

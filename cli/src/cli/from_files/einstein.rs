@@ -68,6 +68,7 @@ fn table(report: &EinsteinReport, out: &mut dyn Write) -> io::Result<()> {
         let simplex: Vec<String> = f.simplex.iter().map(u32::to_string).collect();
         write!(out, "{},{},", simplex.join("-"), f.index)?;
         files::parts(out, &f.sums)?;
+        writeln!(out)?;
     }
     Ok(())
 }

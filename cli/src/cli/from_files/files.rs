@@ -88,7 +88,7 @@ pub fn show_quadrature(out: &mut Out, about: &About) -> Result<(), Stop> {
     Ok(())
 }
 
-/// The end of a row of a table, in a form that reads back to the same bits.
+/// The sums in a row of a table, in a form that reads back to the same bits.
 pub fn parts(out: &mut dyn Write, sums: &Parts) -> io::Result<()> {
     let Parts {
         cells,
@@ -101,5 +101,5 @@ pub fn parts(out: &mut dyn Write, sums: &Parts) -> io::Result<()> {
     if let Some(boundary) = sums.boundary {
         write!(out, ",{boundary:e}")?;
     }
-    writeln!(out, ",{total:e}")
+    write!(out, ",{total:e}")
 }

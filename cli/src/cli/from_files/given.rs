@@ -13,16 +13,20 @@ use regge_terminal::output::{self, Named};
 use std::path::PathBuf;
 
 const MESH: &str = "\
-Mesh: Gmsh 2.2 or 4.1 (text or binary; triangles or tetrahedra), or JSON:
+Mesh: Gmsh 2.2 or 4.1 (text or binary, curved cells up to order 4), OBJ, PLY, STL, OFF, VTK, VTU, VTP, MEDIT (.mesh),
+with triangles or tetrahedra; or JSON:
   {\"dimension\": 2, \"vertices\": [[0, 0], ...], \"cells\": [[0, 1, 2], ...]}
   without \"vertices\" it is an abstract manifold, which edge lengths suffice for.
+
+Without a metric and without lengths it is that of the points: what a surface or solid has in space.
 
 Metric, a TOML file with the dimension and one of
   g = [[\"1 + x^2\", \"x*y\"], [\"x*y\", \"1 + y^2\"]]
   graph = \"x^2/2 - x^4/12\"          the metric of the graph of f
   conformal = \"4/(1 + x^2 + y^2)^2\" the Euclidean one times this factor
   embedding = [\"x\", \"y\", \"x*y\"]     the metric induced by this map
-in x, y, z or x1, x2, ...; exact_scalar_curvature = \"...\" may be added.";
+in x, y, z or x1, x2, ...; exact_scalar_curvature = \"...\" may be added. On a surface in space it may be in x, y, z
+(dimension = 3): the surface inherits what the formula is in space.";
 
 const LENGTHS: &str = "\
 Edge lengths: a CSV file with i,j,length for every edge, vertices counted from 0.";
@@ -57,22 +61,22 @@ fn lines(words: &[String], width: usize) -> String {
 
 /// Which Regge metric.
 #[derive(clap::Args)]
-#[command(group(clap::ArgGroup::new("source").required(true).args(["metric", "lengths"])))]
+#[command(group(clap::ArgGroup::new("source").args(["metric", "lengths"])))]
 pub struct Given {
-    /// The mesh: Gmsh or JSON
+    /// The mesh: Gmsh, OBJ, PLY, STL, OFF, VTK, MEDIT or JSON
     #[arg(long, value_name = "FILE")]
     pub mesh: PathBuf,
-    /// The smooth metric, by formulas
+    /// The smooth metric, by formulas [default: that of the mesh's points]
     #[arg(long, value_name = "FILE.toml")]
     metric: Option<PathBuf>,
     /// The edge lengths: classical Regge calculus
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["degree", "interpolant"])]
     lengths: Option<PathBuf>,
     /// Degree r of the Regge metric, up to 8
-    #[arg(long, value_name = "R", default_value_t = 0)]
+    #[arg(long, value_name = "R", default_value_t = 0, requires = "metric")]
     pub degree: usize,
     /// How the Regge metric is made from the smooth one
-    #[arg(long, default_value = values::DEFAULT_INTERPOLANT, value_parser = values::named::<Interpolant>())]
+    #[arg(long, default_value = values::DEFAULT_INTERPOLANT, value_parser = values::named::<Interpolant>(), requires = "metric")]
     interpolant: Interpolant,
     /// Order of quadrature [default: raised until the sums settle to 1e-8 of the largest]
     #[arg(long, value_name = "ORDER", value_parser = clap::value_parser!(u64).range(0..=60))]
@@ -121,7 +125,7 @@ impl Given {
                 Ok(Source::Metric(Box::new(metric), self.interpolant))
             }
             (None, Some(lengths)) => Ok(Source::Lengths(lengths.clone())),
-            (None, None) => unreachable!("clap requires one of the group `source`"),
+            (None, None) => Ok(Source::Points),
         }
     }
 }

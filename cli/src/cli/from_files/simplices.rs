@@ -140,6 +140,7 @@ fn table(list: &List<'_>, out: &mut dyn Write) -> io::Result<()> {
 fn part(list: &List<'_>, whole: &Fields) -> Fields {
     let width = list.vertices.first().map_or(1, |vertices| vertices.len());
     Fields {
+        pieces: Vec::new(),
         dimension: width - 1,
         points: whole.points.clone(),
         cells: list.vertices.concat(),

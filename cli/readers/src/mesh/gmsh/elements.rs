@@ -5,12 +5,17 @@ use super::super::kinds::Kind;
 use super::nodes::{Nodes, agree, head, tag};
 use super::{Reader, element};
 use crate::error::{Fault, Place};
+use regge_curvature::simplex::binomial;
 use std::collections::{HashMap, HashSet};
 
 /// The simplices of one dimension.
 pub struct Simplices {
     width: usize,
     nodes: Vec<u64>,
+    /// k, the same for all of them; 1 while there are none.
+    pub order: usize,
+    /// For k > 1 the nodes of each behind its corners.
+    further: Vec<u64>,
     /// Where each stands.
     pub places: Vec<Place>,
     /// What tells its physical groups: 2.2 the group itself, 4.1 the entity.
@@ -25,6 +30,8 @@ impl Simplices {
         Self {
             width,
             nodes: Vec::new(),
+            order: 1,
+            further: Vec::new(),
             places: Vec::new(),
             tags: Vec::new(),
             more: Vec::new(),
@@ -53,11 +60,15 @@ impl Simplices {
         let old = std::mem::replace(self, Self::new(self.width));
         let mut first: HashMap<[u64; 4], usize> = HashMap::with_capacity(old.len());
         let mut seen = HashSet::new();
+        let further = old.further.len() / old.len().max(1);
+        self.order = old.order;
         for i in 0..old.len() {
             let (tag, place) = (old.tags[i], old.places[i]);
             let one = *first.entry(key(old.nodes(i))).or_insert(self.len());
             if one == self.len() {
                 self.nodes.extend(old.nodes(i));
+                let nodes = &old.further[i * further..(i + 1) * further];
+                self.further.extend(nodes);
                 self.places.push(place);
                 self.tags.push(tag);
             } else if self.tags[one] != tag && seen.insert((one, tag)) {
@@ -70,16 +81,25 @@ impl Simplices {
         Ok(())
     }
 
+    /// The nodes of one behind its corners, by their index.
+    pub fn further(&self, i: usize, nodes: &Nodes) -> Result<Vec<u32>, Fault> {
+        let count = self.further.len() / self.len();
+        let found = self.further[i * count..(i + 1) * count].iter();
+        let index = |tag: &u64| nodes.index(*tag).ok_or_else(|| self.missing(i, *tag));
+        found.map(index).collect()
+    }
+
+    fn missing(&self, i: usize, tag: u64) -> Fault {
+        Fault::new(self.places[i], format!("node {tag} does not exist"))
+    }
+
     /// The vertices of one, by their index.
     pub fn vertices(&self, i: usize, nodes: &Nodes) -> Result<Vec<usize>, Fault> {
         let mut list = Vec::with_capacity(self.width);
         for &tag in self.nodes(i) {
             match nodes.index(tag) {
                 Some(index) => list.push(index as usize),
-                None => {
-                    let reason = format!("node {tag} does not exist");
-                    return Err(Fault::new(self.places[i], reason));
-                }
+                None => return Err(self.missing(i, tag)),
             }
         }
         Ok(list)
@@ -155,17 +175,27 @@ impl Reader {
         tag: i32,
         node: fn(&mut Cursor<'_>, &str) -> Result<u64, Fault>,
     ) -> Result<(), Fault> {
-        let kept = kind.dimension();
-        for _ in 0..kind.nodes() {
+        let Kind::Simplex { dimension, order } = kind else {
+            unreachable!("what is refused is refused by `element`");
+        };
+        let list = &mut self.simplices[dimension];
+        if !list.is_empty() && list.order != order {
+            let reason = format!(
+                "an element of order {order} among others of order {}",
+                list.order
+            );
+            return Err(Fault::new(place, reason));
+        }
+        list.order = order;
+        for i in 0..binomial(dimension + order, dimension) {
             let node = node(cursor, "a node of the element")?;
-            if let Some(k) = kept {
-                self.simplices[k].nodes.push(node);
+            match i <= dimension {
+                true => list.nodes.push(node),
+                false => list.further.push(node),
             }
         }
-        if let Some(k) = kept {
-            self.simplices[k].places.push(place);
-            self.simplices[k].tags.push(tag);
-        }
+        list.places.push(place);
+        list.tags.push(tag);
         Ok(())
     }
 }

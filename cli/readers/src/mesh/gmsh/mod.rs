@@ -4,9 +4,9 @@ mod elements;
 mod groups;
 mod nodes;
 
-use super::MeshFile;
 use super::cursor::{Cursor, Encoding};
 use super::kinds::{Kind, kind};
+use super::{Curved, MeshFile};
 use crate::error::{Fault, Place};
 use elements::Simplices;
 use groups::Groups;
@@ -124,6 +124,7 @@ impl Reader {
         let cells = (0..elements.len())
             .map(|i| elements.vertices(i, &self.nodes))
             .collect::<Result<_, _>>()?;
+        let curved = self.curved(dimension)?;
         let groups = self
             .groups
             .collect(&self.simplices, &self.nodes, dimension)?;
@@ -136,6 +137,7 @@ impl Reader {
         let mut mesh = MeshFile {
             file: PathBuf::new(),
             dimension,
+            curved,
             vertices: self.nodes.len(),
             width: 3,
             cells,
@@ -150,12 +152,40 @@ impl Reader {
     }
 }
 
+impl Reader {
+    /// The places of all nodes of curved cells.
+    fn curved(&self, dimension: usize) -> Result<Option<Curved>, Fault> {
+        let (cells, nodes) = (&self.simplices[dimension], &self.nodes);
+        if cells.order == 1 {
+            return Ok(None);
+        }
+        let mut points = Vec::new();
+        let mut used = vec![false; nodes.len()];
+        for i in 0..cells.len() {
+            let corners = cells.vertices(i, nodes)?;
+            let further = cells.further(i, nodes)?;
+            for node in corners
+                .into_iter()
+                .chain(further.iter().map(|&node| node as usize))
+            {
+                points.extend_from_slice(&nodes.coordinates[3 * node..][..3]);
+            }
+            further.iter().for_each(|&node| used[node as usize] = true);
+        }
+        Ok(Some(Curved {
+            order: cells.order,
+            points,
+            nodes: used,
+        }))
+    }
+}
+
 /// An element's type, if such can be read.
 fn element(cursor: &mut Cursor<'_>) -> Result<Kind, Fault> {
     let number = cursor.int("an element's type")?;
     match kind(number) {
         Some(Kind::Refused(name)) => Err(cursor.fault(format!(
-            "a {name} (type {number}): triangles and tetrahedra with straight edges only"
+            "a {name} (type {number}): triangles and tetrahedra up to order 4 can be read"
         ))),
         Some(kind) => Ok(kind),
         None => Err(cursor.fault(format!("an element of unknown type {number}"))),

@@ -4,6 +4,8 @@
 //! The paper's functional is defined for v that vanish on ∂Ω, and so is u; with the boundary terms of
 //! [`boundary_curvature`](crate::functional::boundary_curvature) all of the Lagrange space may be taken.
 
+mod hats;
+
 use crate::Error;
 use crate::density::Volume;
 use crate::field::{Evaluate, TensorField};
@@ -13,6 +15,7 @@ use crate::quadrature::Rule;
 use crate::scalar::Real;
 use crate::spaces::Lagrange;
 use crate::sparse::{CellBlock, Factor, Order, Upper};
+use hats::HatMass;
 use nalgebra::DMatrix;
 
 /// The test functions of a projection.
@@ -24,14 +27,19 @@ pub enum Tested {
     All,
 }
 
-/// The mass matrix of a Lagrange space in L²(Ω, g), factorised.
+/// The mass matrix of a Lagrange space in L²(Ω, g), ready to be solved with.
 #[derive(Debug)]
 pub struct Projection {
-    /// The functions that are unknowns.
-    unknowns: Vec<usize>,
     len: usize,
-    /// None where there is no unknown.
-    factor: Option<Factor>,
+    mass: Mass,
+}
+
+#[derive(Debug)]
+enum Mass {
+    /// Of hat functions.
+    Hats(HatMass),
+    /// Of functions of a higher degree, factorised, with those that are unknowns; none where there is no unknown.
+    Factorised(Vec<usize>, Option<Box<Factor>>),
 }
 
 impl Projection {
@@ -45,38 +53,55 @@ impl Projection {
         tested: Tested,
         rule: &Rule,
     ) -> Result<Self, Error> {
-        let kept = |dof: &usize| tested == Tested::All || space.vanishes_on_boundary(*dof);
-        let unknowns: Vec<usize> = (0..space.len()).filter(kept).collect();
-        let factor = match unknowns.is_empty() {
-            true => None,
-            false => {
-                let mass = mass::<G::Wide, G, N>(g, space, &unknowns, rule);
-                Some(Factor::new(&mass, Order::MinimumDegree)?)
-            }
+        let mass = match space.degree() {
+            1 => Mass::Hats(HatMass::new(g, space.mesh(), tested, rule)?),
+            _ => factorised(g, space, tested, rule)?,
         };
-        Ok(Self {
-            unknowns,
-            len: space.len(),
-            factor,
-        })
+        let len = space.len();
+        Ok(Self { len, mass })
     }
 
     /// The coefficients of u from ⟨f, v⟩ for every basis function v; 0 where v is not tested.
     ///
+    /// # Errors
+    /// If a volume form is all but degenerate in a cell.
+    ///
     /// # Panics
     /// If the load has not an entry for each basis function.
-    pub fn apply(&self, load: &[f64]) -> Vec<f64> {
+    pub fn apply(&self, load: &[f64]) -> Result<Vec<f64>, Error> {
         assert_eq!(load.len(), self.len, "a load of another space");
-        let mut x: Vec<f64> = self.unknowns.iter().map(|&dof| load[dof]).collect();
-        if let Some(factor) = &self.factor {
+        let (unknowns, factor) = match &self.mass {
+            Mass::Hats(mass) => return mass.solve(load),
+            Mass::Factorised(unknowns, factor) => (unknowns, factor),
+        };
+        let mut x: Vec<f64> = unknowns.iter().map(|&dof| load[dof]).collect();
+        if let Some(factor) = factor {
             factor.solve(&mut x);
         }
         let mut coefficients = vec![0.0; self.len];
-        for (&dof, x) in self.unknowns.iter().zip(x) {
+        for (&dof, x) in unknowns.iter().zip(x) {
             coefficients[dof] = x;
         }
-        coefficients
+        Ok(coefficients)
     }
+}
+
+fn factorised<const N: usize, G: TensorField<N, Scalar = f64>>(
+    g: &G,
+    space: &Lagrange<N>,
+    tested: Tested,
+    rule: &Rule,
+) -> Result<Mass, Error> {
+    let kept = |dof: &usize| tested == Tested::All || space.vanishes_on_boundary(*dof);
+    let unknowns: Vec<usize> = (0..space.len()).filter(kept).collect();
+    let factor = match unknowns.is_empty() {
+        true => None,
+        false => {
+            let mass = mass::<G::Wide, G, N>(g, space, &unknowns, rule);
+            Some(Box::new(Factor::new(&mass, Order::MinimumDegree)?))
+        }
+    };
+    Ok(Mass::Factorised(unknowns, factor))
 }
 
 /// No unknown.
