@@ -184,6 +184,8 @@ fn bad_lengths_are_one_line_and_code_2() {
         ("0,3,1\n", "0,0,1\n", "no edge"),
         ("0,3,1\n", "0,3,-1\n", "positive"),
         ("0,3,1\n", "0,3,nan\n", "positive"),
+        ("0,3,1\n", "0,3,1e-200\n", "the square of the length 1e-200"),
+        ("0,3,1\n", "0,3,1e200\n", "another unit"),
         ("0,3,1\n", "0,3\n", "2 fields"),
         ("0,3,1\n", "0,3,one\n", "no length"),
         (

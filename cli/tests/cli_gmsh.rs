@@ -63,7 +63,7 @@ fn a_cell_of_two_groups_is_one_cell() {
     let said = regge(&folder, "--mesh bad.msh --metric g.toml").stderr;
     let said = String::from_utf8_lossy(&said);
     assert!(
-        said.contains("there already, in the same physical group"),
+        said.contains("there already, and not for another physical group"),
         "{said}"
     );
 }

@@ -1,6 +1,6 @@
 //! What the program says and does not say: quiet, verbose, threads, help, no arguments, completions.
 
-use crate::common::files::{SQUARE, folder, write};
+use crate::common::files::{SQUARE, folder, grid, write};
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -124,11 +124,17 @@ fn quiet_says_nothing_and_verbose_says_what_is_done() {
 #[test]
 fn the_commands_for_files_have_a_bar() {
     let folder = folder("bar");
+    write(&folder, "m.json", &grid(80));
+    write(
+        &folder,
+        "g.toml",
+        "dimension = 2\nconformal = \"1 + x^2/1e5\"\n",
+    );
     let good = [("TERM", "xterm"), ("NO_COLOR", "1")];
     for (environment, drawn) in [(&good[..], true), (&[("TERM", "dumb")][..], false)] {
         let mut command = Command::new("script");
         let run = format!(
-            "{} converge --metric flat --dimension 2 --degree 1 --levels 4..=6",
+            "{} curvature --mesh m.json --metric g.toml --degree 3 --norm hm2",
             env!("CARGO_BIN_EXE_regge")
         );
         command
@@ -146,5 +152,28 @@ fn the_commands_for_files_have_a_bar() {
                 .starts_with('m')
         });
         assert!(!colours, "{said}");
+    }
+}
+
+/// In a build for packages: completions name every command, and every command has its page.
+#[cfg(feature = "shell")]
+#[test]
+fn shells_and_man_know_every_command() {
+    let folder = folder("shell");
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let output = regge(&folder, &format!("completions {shell}"));
+        let said = text(&output.stdout);
+        assert!(output.status.success() && output.stderr.is_empty());
+        assert!(COMMANDS.iter().all(|name| said.contains(name)), "{shell}");
+        assert!(said.contains("threads"), "{shell}");
+    }
+    assert!(regge(&folder, "man pages").status.success());
+    for command in COMMANDS {
+        let page = folder.join(format!("pages/regge-{command}.1"));
+        let page = std::fs::read_to_string(page).expect("a page");
+        assert!(
+            page.contains("Example") && page.contains("memory\\-limit"),
+            "{command}"
+        );
     }
 }

@@ -20,6 +20,10 @@ $Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0.5 0.5 0\n$EndNodes\n$Elements
 const MSH_4: &str = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 1 1 0\n1 0 0 0 0\n1 0 0 0 1 0 0 1 3 0\n\
 1 0 0 0 1 1 0 1 7 1 1\n$EndEntities\n$Nodes\n1 5 1 5\n2 1 0 5\n1\n2\n3\n4\n5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n\
 $EndNodes\n$Elements\n2 5 1 5\n1 1 1 1\n1 1 2\n2 1 2 4\n2 1 2 5\n3 2 3 5\n4 3 4 5\n5 4 1 5\n$EndElements\n";
+/// Nodes of no cell, a cell of two groups, a quote in a name.
+const MSH_GROUPS: &str = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 7 \"a \"b\" c\"\n$EndPhysicalNames\n\
+$Nodes\n5\n1 9 9 0\n2 0 0 0\n3 1 0 0\n4 0 1 0\n5 1 1 0\n$EndNodes\n$Elements\n4\n1 15 2 3 1 1\n2 2 2 7 1 2 3 4\n\
+3 2 2 8 1 2 3 4\n4 2 2 8 1 3 4 5\n$EndElements\n";
 const TETRAHEDRA: &str = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n\
 $EndNodes\n$Elements\n3\n1 2 2 9 1 1 2 3\n2 4 2 1 1 1 2 3 4\n3 4 2 1 1 2 3 4 5\n$EndElements\n";
 const JSON: &str = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[1,1],[0,1],[0.5,0.5]], "cells": [[0,1,4],[1,2,4],[2,3,4],[3,0,4]]}"#;
@@ -31,7 +35,8 @@ const METRICS: [&str; 4] = [
     "dimension = 2\nembedding = [\"x\", \"y\", \"sin(x)*tanh(y)\"]\n",
 ];
 const LENGTHS: &str = "i,j,length\n0,1,1\n0,2,1.5e0\n0,3,1\n1,2,1\n1,3,1\n2,3,1\n";
-const FORMULAS: [&str; 4] = [
+const FORMULAS: [&str; 5] = [
+    "atan2(y, x) + max(abs(x), y, 1)*min(x, pow(y, 2)) - acosh(2 + hypot(x, y))/sign(x)",
     "-x^2 + 2^-1*sin(x*y)/sqrt(1 + y^2)",
     "((((x))))^(y - 1)",
     "exp(ln(abs(x) + 1))*atan(y)^3",
@@ -235,7 +240,7 @@ fn surface_files() {
 
 #[test]
 fn mesh_files() {
-    let mut all = seeds(&[MSH_2, MSH_4, TETRAHEDRA, JSON, ABSTRACT]);
+    let mut all = seeds(&[MSH_2, MSH_4, MSH_GROUPS, TETRAHEDRA, JSON, ABSTRACT]);
     all.extend(binary());
     fuzz("mesh", &all, trial::mesh);
 }

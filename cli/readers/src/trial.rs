@@ -22,6 +22,7 @@ pub fn mesh(bytes: &[u8]) {
         2 => built::<2>(&file),
         3 => built::<3>(&file),
         4 => built::<4>(&file),
+        5 => built::<5>(&file),
         _ => {}
     }
 }

@@ -4,6 +4,8 @@ mod common;
 mod from_files;
 mod memory;
 mod picture;
+#[cfg(feature = "shell")]
+mod shell;
 mod study;
 mod values;
 
@@ -59,6 +61,10 @@ enum Command {
     Curvature(Box<curvature::Args>),
     Einstein(einstein::Args),
     Action(action::Args),
+    #[cfg(feature = "shell")]
+    Completions(shell::Completions),
+    #[cfg(feature = "shell")]
+    Man(shell::Man),
     /// Says where the claims are checked now
     #[command(hide = true, disable_help_flag = true)]
     Verify {
@@ -85,6 +91,10 @@ fn run(Cli { command, common }: Cli) -> Result<(), Stop> {
         Command::Curvature(args) => args.run(&common),
         Command::Einstein(args) => args.run(&common),
         Command::Action(args) => args.run(&common),
+        #[cfg(feature = "shell")]
+        Command::Completions(args) => args.run(<Cli as clap::CommandFactory>::command()),
+        #[cfg(feature = "shell")]
+        Command::Man(args) => args.run(<Cli as clap::CommandFactory>::command()),
         Command::Verify { arguments } => Err(elsewhere(&arguments)),
     }
 }

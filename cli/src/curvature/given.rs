@@ -186,7 +186,7 @@ where
         // The interpolant refuses what is not positive definite where it looks; the formula may be to blame for it.
         let g_h = g_h.map_err(|error| match blame(&g, degree) {
             Err(formula) => input(formula),
-            Ok(()) => lost(error, interpolant, degree),
+            Ok(()) => lost(error, &g, interpolant, degree),
         })?;
         Ok(Self {
             file,
@@ -202,22 +202,36 @@ where
     }
 }
 
-/// The formula is a metric, what was made of it is not.
-fn lost(error: Error, interpolant: Interpolant, degree: usize) -> CurvatureError {
+/// The formula is a metric, what was made of it is not: what else would be, as far as that can be tried at once.
+fn lost<const N: usize>(
+    error: Error,
+    g: &Smooth<FormulaMetric<'_>, N>,
+    interpolant: Interpolant,
+    degree: usize,
+) -> CurvatureError {
     let Error::Indefinite { cell, point, .. } = &error else {
         return failed(error);
     };
+    let works = |interpolant: Interpolant, degree: usize| {
+        let space = ReggeSpace::new(g.mesh(), degree);
+        interpolant.check_degree(degree).is_ok() && interpolant.apply(&space, g).is_ok()
+    };
     let name = interpolant.name();
-    let other = match (degree, name) {
-        (0, "geodesic") => "refine the mesh there".to_owned(),
-        (0, _) => {
-            "--degree 1, or --interpolant geodesic, may do; else refine the mesh there".into()
-        }
-        _ => format!("--degree {} may do; else refine the mesh there", degree + 1),
+    let geodesic = Interpolant::named("geodesic").filter(|of| degree == 0 && !of.is(&interpolant));
+    let mut ways = Vec::new();
+    if works(interpolant, degree + 1) {
+        ways.push(format!("--degree {}", degree + 1));
+    }
+    if geodesic.is_some_and(|geodesic| works(geodesic, degree)) {
+        ways.push("--interpolant geodesic".into());
+    }
+    let advice = match ways.is_empty() {
+        true => "refine the mesh there".to_owned(),
+        false => format!("refine the mesh there, or use {}", ways.join(" or ")),
     };
     CurvatureError::Failed(format!(
         "cell {cell}: the {name} interpolant of degree {degree} is not positive definite at the barycentric point \
-         {point:?}, though the metric is: the cell is too large or too thin for it; {other}"
+         {point:?}, though the metric is: the cell is too large or too thin for it; {advice}"
     ))
 }
 

@@ -9,6 +9,24 @@ use std::process::{Command, Output};
 pub const SQUARE: &str = r#"{"dimension": 2, "vertices": [[0,0],[1,0],[1,1],[0,1],[0.5,0.5]],
  "cells": [[0,1,4],[1,2,4],[2,3,4],[3,0,4]]}"#;
 
+/// A square of n × n squares, cut in two each, as JSON.
+pub fn grid(n: usize) -> String {
+    let line = |i: usize| (0..=n).map(move |j| format!("[{i},{j}]"));
+    let vertices: Vec<String> = (0..=n).flat_map(line).collect();
+    let pair = |i: usize, j: usize| {
+        let a = i * (n + 1) + j;
+        let [b, c, d] = [a + 1, a + n + 1, a + n + 2];
+        format!("[{a},{b},{c}],[{b},{c},{d}]")
+    };
+    let cells = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+    let cells: Vec<String> = cells.map(|(i, j)| pair(i, j)).collect();
+    format!(
+        r#"{{"dimension": 2, "vertices": [{}], "cells": [{}]}}"#,
+        vertices.join(","),
+        cells.join(",")
+    )
+}
+
 /// A folder of its own for each test.
 pub fn folder(name: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("curvature-{name}"));

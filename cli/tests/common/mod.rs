@@ -1,6 +1,7 @@
 //! What several test files share.
 
 pub mod files;
+pub mod schema;
 
 use regge_curvature::interpolate::Interpolant;
 use regge_curvature::metrics::Metric;

@@ -5,7 +5,8 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// How near, relative to the face, counts as on it.
+/// How near counts as on a face, relative to the face and to the distance from its corners: a neighbour of a corner in a thin cell
+/// is near the face without hanging.
 const NEAR: f64 = 1e-9;
 
 /// The first vertex of the boundary that hangs, and the vertices of the face that it lies in.
@@ -72,7 +73,7 @@ fn lies_in<const N: usize>(corners: &[SVector<f64, N>], x: &SVector<f64, N>) -> 
     for i in 0..N - 1 {
         rest -= edge(i) * lambda[i];
     }
-    let size = (0..N - 1).map(|i| edge(i).norm()).fold(0.0, f64::max);
+    let apart = corners.iter().map(|corner| (x - corner).norm());
     let within = lambda.iter().all(|l| *l >= -NEAR) && lambda.sum() <= 1.0 + NEAR;
-    within && rest.norm() <= NEAR * size
+    within && rest.norm() <= NEAR * apart.fold(f64::INFINITY, f64::min)
 }

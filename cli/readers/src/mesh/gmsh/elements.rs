@@ -74,7 +74,7 @@ impl Simplices {
             } else if self.tags[one] != tag && seen.insert((one, tag)) {
                 self.more.push((one, tag));
             } else if !allowed {
-                let reason = "an element that is there already, in the same physical group";
+                let reason = "an element that is there already, and not for another physical group";
                 return Err(Fault::new(place, reason));
             }
         }
