@@ -210,7 +210,7 @@ impl<const N: usize> AnyFunction for ReggeFunction<f64, N> {
         }
         let tested = if all { Tested::All } else { Tested::Interior };
         let projection = Projection::new(self, &space, tested, &Rule::new(N, order))?;
-        Ok(projection.apply(load))
+        projection.apply(load)
     }
 
     fn form(
