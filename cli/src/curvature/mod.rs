@@ -24,9 +24,10 @@ pub use einstein::{EinsteinReport, EinsteinSums, einstein};
 pub use given::{Phase, Source};
 pub use norm::LARGEST_WITH_NORM;
 pub use report::{
-    About, CurvatureReport, FaceJump, HingeDefect, NormError, OnSurface, Parts, Piece, Projected,
+    About, CurvatureReport, FaceJump, HingeDefect, NormError, OnSurface, Parts, Projected,
     ProjectedCurvature, QuadratureUsed, TestSums, VertexSums,
 };
+pub use topology::Piece;
 
 use given::{Given, by_dimension};
 use regge_readers::InputError;

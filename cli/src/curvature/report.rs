@@ -3,6 +3,7 @@
 use super::drawn::Fields;
 use super::given::Given;
 use super::settle::{SUMS_SETTLE, Settled};
+use super::topology::Piece;
 use regge_curvature::functional::Sums;
 use regge_readers::mesh::Group;
 use serde::Serialize;
@@ -51,23 +52,6 @@ pub struct CurvatureReport {
     /// What there is to be seen, if that was asked for.
     #[serde(skip)]
     pub fields: Option<Fields>,
-}
-
-/// A connected piece of a mesh.
-#[derive(Clone, Debug, Serialize)]
-pub struct Piece {
-    /// Its first cell.
-    pub first_cell: usize,
-    /// Its cells.
-    pub cell_count: usize,
-    /// No boundary?
-    pub closed: bool,
-    /// Σ_k (−1)^k of its k-simplices.
-    pub euler_characteristic: i64,
-    /// The functional at v = 1 on it.
-    pub total_curvature: f64,
-    /// Total curvature − 4πχ, for surfaces that are closed or have their boundary terms.
-    pub gauss_bonnet_residual: Option<f64>,
 }
 
 /// What every report says of its metric and its sums.

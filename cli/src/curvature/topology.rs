@@ -1,7 +1,24 @@
 //! What can be said of a mesh by counting: its pieces, and vertices around which it is no manifold.
 
-use super::report::Piece;
 use regge_curvature::mesh::Mesh;
+use serde::Serialize;
+
+/// A connected piece of a mesh.
+#[derive(Clone, Debug, Serialize)]
+pub struct Piece {
+    /// Its first cell.
+    pub first_cell: usize,
+    /// Its cells.
+    pub cell_count: usize,
+    /// No boundary?
+    pub closed: bool,
+    /// Σ_k (−1)^k of its k-simplices.
+    pub euler_characteristic: i64,
+    /// The functional at v = 1 on it.
+    pub total_curvature: f64,
+    /// Total curvature − 4πχ, for surfaces that are closed or have their boundary terms.
+    pub gauss_bonnet_residual: Option<f64>,
+}
 
 /// The connected pieces of a mesh, by their first cells, with the totals of a functional that is given by hat functions.
 pub fn pieces<const N: usize>(mesh: &Mesh<N>, by_vertex: &[f64]) -> Vec<Piece> {
