@@ -434,6 +434,24 @@ impl Function {
             work(&*g, watch)
         })
     }
+
+    /// One of the forms of the first variation, for every test function.
+    fn form<'py>(
+        &self,
+        py: Python<'py>,
+        form: Form,
+        sigma: &PyReadonlyArray1<'py, f64>,
+        test_degree: usize,
+        order: usize,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Three<'py>> {
+        let sigma = slice(sigma)?.to_vec();
+        let sums = self.run(py, progress, move |g, watch| {
+            let sums = g.form(form, sigma, test_degree, order, watch)?;
+            finite(g, sums, order)
+        })?;
+        Ok(three(py, sums))
+    }
 }
 
 /// Sums that are finite; else the metric is to blame, at a point of the rules or nearby.
@@ -523,12 +541,7 @@ impl Function {
         order: usize,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Three<'py>> {
-        let sigma = slice(&sigma)?.to_vec();
-        let sums = self.run(py, progress, move |g, watch| {
-            let sums = g.form(Form::B, sigma, test_degree, order, watch)?;
-            finite(g, sums, order)
-        })?;
-        Ok(three(py, sums))
+        self.form(py, Form::B, &sigma, test_degree, order, progress)
     }
 
     #[pyo3(signature = (sigma, test_degree, order, progress=None))]
@@ -540,12 +553,7 @@ impl Function {
         order: usize,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Three<'py>> {
-        let sigma = slice(&sigma)?.to_vec();
-        let sums = self.run(py, progress, move |g, watch| {
-            let sums = g.form(Form::A, sigma, test_degree, order, watch)?;
-            finite(g, sums, order)
-        })?;
-        Ok(three(py, sums))
+        self.form(py, Form::A, &sigma, test_degree, order, progress)
     }
 
     /// b_h − a_h.
@@ -559,12 +567,8 @@ impl Function {
         order: usize,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Three<'py>> {
-        let sigma = slice(&sigma)?.to_vec();
-        let sums = self.run(py, progress, move |g, watch| {
-            let form = Form::Difference(boundary);
-            finite(g, g.form(form, sigma, test_degree, order, watch)?, order)
-        })?;
-        Ok(three(py, sums))
+        let form = Form::Difference(boundary);
+        self.form(py, form, &sigma, test_degree, order, progress)
     }
 
     /// Its transpose.
