@@ -23,6 +23,15 @@ def large():
     return regge.interpolate(mesh, regge.formula("trig"), 1)
 
 
+@pytest.fixture
+def hears_ctrl_c():
+    """Python's own handler of SIGINT: what is started in the background of a shell inherits that it is ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("hears_ctrl_c")
 def test_ctrl_c_stops_a_long_run(large):
     """The handler of SIGINT raises KeyboardInterrupt in the thread that waits."""
     timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
