@@ -1,9 +1,5 @@
-//! The functions that a formula may call, by name, over any real scalar.
-//!
-//! Derivatives are those of the formulas below, by the chain rule of the scalar. Where a function has a kink or a jump
-//! they are those of one side: abs, sign, min and max differentiate what they take.
+//! The functions that a formula may call, by name. What they are made of is in `lower.rs`.
 
-use regge_curvature::scalar::Real;
 use std::ops::RangeInclusive;
 
 /// What a name with brackets stands for.
@@ -129,42 +125,6 @@ pub enum Pair {
 }
 
 impl Function {
-    /// f(a).
-    pub fn of<S: Real>(self, a: S) -> S {
-        match self {
-            Self::Sin => a.sin(),
-            Self::Cos => a.cos(),
-            Self::Tan => a.tan(),
-            Self::Asin => S::angle(a, beside(a)),
-            Self::Acos => S::angle(beside(a), a),
-            Self::Atan => a.atan(),
-            Self::Exp => a.exp(),
-            Self::Ln => a.ln(),
-            Self::Log2 => a.ln() * S::from_f64(std::f64::consts::LOG2_E),
-            Self::Log10 => a.ln() * S::from_f64(std::f64::consts::LOG10_E),
-            Self::Sqrt => a.sqrt(),
-            Self::Cbrt => {
-                let root = (absolute(a).ln() * S::ratio(1, 3)).exp();
-                a.select(root, -root)
-            }
-            Self::Sinh => a.sinh(),
-            Self::Cosh => a.cosh(),
-            // e^2a overflows for large a where tanh is 1; e^−2|a| would not, but has a kink at 0.
-            Self::Tanh => S::one() - S::from_int(2) / ((a + a).exp() + S::one()),
-            // Of −|a| the sum would cancel.
-            Self::Asinh => {
-                let size = absolute(a);
-                let inverse = (size + hypotenuse(size, S::one())).ln();
-                a.select(inverse, -inverse)
-            }
-            // a² − 1 in factors, which neither overflow nor cancel.
-            Self::Acosh => (a + (a - S::one()).sqrt() * (a + S::one()).sqrt()).ln(),
-            Self::Atanh => ((S::one() + a) / (S::one() - a)).ln() * S::half(),
-            Self::Abs => absolute(a),
-            Self::Sign => a.select((-a).select(S::zero(), S::one()), -S::one()),
-        }
-    }
-
     /// Is it not differentiable somewhere inside its domain?
     pub fn has_kink(self) -> bool {
         matches!(self, Self::Abs | Self::Sign)
@@ -172,36 +132,8 @@ impl Function {
 }
 
 impl Pair {
-    /// f(a, b).
-    pub fn of<S: Real>(self, a: S, b: S) -> S {
-        match self {
-            Self::Atan2 => S::angle(a, b),
-            Self::Hypot => hypotenuse(a, b),
-            Self::Min => (b - a).select(a, b),
-            Self::Max => (a - b).select(a, b),
-        }
-    }
-
     /// Is it not differentiable along a line where its arguments are harmless?
     pub fn has_kink(self) -> bool {
         matches!(self, Self::Min | Self::Max)
     }
-}
-
-/// |a|.
-fn absolute<S: Real>(a: S) -> S {
-    a.select(a, -a)
-}
-
-/// √(1 − a²), which with a makes the point of the unit circle; NaN for |a| > 1.
-fn beside<S: Real>(a: S) -> S {
-    ((S::one() - a) * (S::one() + a)).sqrt()
-}
-
-/// √(a² + b²) without overflow: the larger one in front. Both ways to write it are one smooth function.
-fn hypotenuse<S: Real>(a: S, b: S) -> S {
-    let larger = Pair::Max.of(absolute(a), absolute(b));
-    let [x, y] = [a / larger, b / larger];
-    // Where both are 0 there is a cone, without derivatives.
-    (-larger).select((a * a + b * b).sqrt(), larger * (x * x + y * y).sqrt())
 }

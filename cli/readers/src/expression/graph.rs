@@ -1,7 +1,6 @@
 //! Formulas as steps, each of which is there once: what several formulas have in common is computed once for all of them.
 
 use super::code::Op;
-use super::function::{Function, Pair};
 use regge_curvature::scalar::Real;
 use std::collections::HashMap;
 
@@ -23,16 +22,47 @@ pub enum Step {
     Multiply(u32, u32),
     /// a / b.
     Divide(u32, u32),
-    /// a^b = exp(b ln a).
-    Power(u32, u32),
     /// f(a).
-    Call(Function, u32),
-    /// f(a, b).
-    Pair(Pair, u32, u32),
+    Elementary(Elementary, u32),
+    /// The angle of the point (b, a), in (−π, π].
+    Angle(u32, u32),
+    /// b where a ≥ 0, c where a < 0, a where it is NaN.
+    Select(u32, u32, u32),
+}
+
+/// The functions that a scalar has of its own; all others are made of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Elementary {
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Arc tangent, in (−π/2, π/2).
+    Atan,
+    /// Exponential.
+    Exp,
+    /// Natural logarithm.
+    Ln,
+    /// Square root.
+    Sqrt,
+}
+
+impl Elementary {
+    fn of<S: Real>(self, a: S) -> S {
+        match self {
+            Self::Sin => a.sin(),
+            Self::Cos => a.cos(),
+            Self::Atan => a.atan(),
+            Self::Exp => a.exp(),
+            Self::Ln => a.ln(),
+            Self::Sqrt => a.sqrt(),
+        }
+    }
 }
 
 impl Step {
-    fn number(value: f64) -> Self {
+    /// The step that gives a number.
+    pub fn number(value: f64) -> Self {
         Self::Constant(value.to_bits())
     }
 
@@ -45,23 +75,23 @@ impl Step {
             Self::Subtract(a, b) => Self::Subtract(name(a), name(b)),
             Self::Multiply(a, b) => Self::Multiply(name(a), name(b)),
             Self::Divide(a, b) => Self::Divide(name(a), name(b)),
-            Self::Power(a, b) => Self::Power(name(a), name(b)),
-            Self::Call(function, a) => Self::Call(function, name(a)),
-            Self::Pair(function, a, b) => Self::Pair(function, name(a), name(b)),
+            Self::Elementary(function, a) => Self::Elementary(function, name(a)),
+            Self::Angle(a, b) => Self::Angle(name(a), name(b)),
+            Self::Select(a, b, c) => Self::Select(name(a), name(b), name(c)),
         }
     }
 
     /// The operands.
     pub fn operands(self) -> impl Iterator<Item = u32> {
         let list = match self {
-            Self::Constant(_) | Self::Coordinate(_) => [None, None],
-            Self::Negate(a) | Self::Call(_, a) => [Some(a), None],
+            Self::Constant(_) | Self::Coordinate(_) => [None; 3],
+            Self::Negate(a) | Self::Elementary(_, a) => [Some(a), None, None],
             Self::Add(a, b)
             | Self::Subtract(a, b)
             | Self::Multiply(a, b)
             | Self::Divide(a, b)
-            | Self::Power(a, b)
-            | Self::Pair(_, a, b) => [Some(a), Some(b)],
+            | Self::Angle(a, b) => [Some(a), Some(b), None],
+            Self::Select(a, b, c) => [Some(a), Some(b), Some(c)],
         };
         list.into_iter().flatten()
     }
@@ -77,9 +107,9 @@ impl Step {
             Self::Subtract(a, b) => of(a) - of(b),
             Self::Multiply(a, b) => of(a) * of(b),
             Self::Divide(a, b) => of(a) / of(b),
-            Self::Power(a, b) => (of(b) * of(a).ln()).exp(),
-            Self::Call(function, a) => function.of(of(a)),
-            Self::Pair(function, a, b) => function.of(of(a), of(b)),
+            Self::Elementary(function, a) => function.of(of(a)),
+            Self::Angle(a, b) => S::angle(of(a), of(b)),
+            Self::Select(a, b, c) => of(a).select(of(b), of(c)),
         }
     }
 }
@@ -102,29 +132,37 @@ impl Graph {
         let mut stack: Vec<u32> = Vec::new();
         let known = "the parser writes no code that takes more than there is";
         for op in code {
-            let step = match *op {
-                Op::Constant(value) => Step::number(value),
-                Op::Coordinate(i) => Step::Coordinate(i as u32),
+            let value = match *op {
+                Op::Constant(value) => self.number(value),
+                Op::Coordinate(i) => self.step(Step::Coordinate(i as u32)),
                 op => {
                     let last = stack.pop().expect(known);
                     match op {
-                        Op::Negate => Step::Negate(last),
-                        Op::Call(function) => Step::Call(function, last),
-                        Op::Integer(n) => {
-                            stack.push(self.integer_power(last, n));
-                            continue;
-                        }
-                        op => binary(op, stack.pop().expect(known), last),
+                        Op::Negate => self.negate(last),
+                        Op::Integer(n) => self.integer_power(last, n),
+                        Op::Call(function) => self.call(function, last),
+                        op => self.binary(op, stack.pop().expect(known), last),
                     }
                 }
             };
-            stack.push(self.step(step));
+            stack.push(value);
         }
         stack.pop().expect("a formula has a value")
     }
 
+    fn binary(&mut self, op: Op, a: u32, b: u32) -> u32 {
+        match op {
+            Op::Add => self.plus(a, b),
+            Op::Subtract => self.minus(a, b),
+            Op::Multiply => self.times(a, b),
+            Op::Divide => self.over(a, b),
+            Op::Pair(function) => self.pair(function, a, b),
+            _ => self.power(a, b),
+        }
+    }
+
     /// The number of a step. What is computed of constants is a constant.
-    fn step(&mut self, step: Step) -> u32 {
+    pub fn step(&mut self, step: Step) -> u32 {
         let step = match step {
             Step::Coordinate(_) => step,
             step if step.operands().all(|i| self.constant(i).is_some()) => {
@@ -145,45 +183,11 @@ impl Graph {
     }
 
     /// The value of a step, if it is a constant.
-    fn constant(&self, number: u32) -> Option<f64> {
+    pub fn constant(&self, number: u32) -> Option<f64> {
         match self.steps[number as usize] {
             Step::Constant(bits) => Some(f64::from_bits(bits)),
             _ => None,
         }
-    }
-
-    /// aⁿ by repeated squaring.
-    fn integer_power(&mut self, a: u32, n: i32) -> u32 {
-        let (mut product, mut square, mut left) = (None, a, n.unsigned_abs());
-        while left > 0 {
-            if left & 1 == 1 {
-                product = Some(match product {
-                    Some(product) => self.step(Step::Multiply(product, square)),
-                    None => square,
-                });
-            }
-            left >>= 1;
-            if left > 0 {
-                square = self.step(Step::Multiply(square, square));
-            }
-        }
-        let one = self.step(Step::number(1.0));
-        match product {
-            Some(product) if n < 0 => self.step(Step::Divide(one, product)),
-            Some(product) => product,
-            None => one,
-        }
-    }
-}
-
-fn binary(op: Op, a: u32, b: u32) -> Step {
-    match op {
-        Op::Add => Step::Add(a, b),
-        Op::Subtract => Step::Subtract(a, b),
-        Op::Multiply => Step::Multiply(a, b),
-        Op::Divide => Step::Divide(a, b),
-        Op::Pair(function) => Step::Pair(function, a, b),
-        _ => Step::Power(a, b),
     }
 }
 

@@ -1,8 +1,10 @@
 //! Formulas in the coordinates, evaluated over any real scalar: at jets, their derivatives are exact.
 
 mod code;
+mod derivative;
 mod function;
 mod graph;
+mod lower;
 mod names;
 mod parse;
 mod program;
@@ -41,6 +43,14 @@ pub struct Expression {
 pub struct Expressions {
     formulas: Vec<Expression>,
     program: Program,
+}
+
+/// The first derivatives of several formulas, ready to be evaluated together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gradients {
+    program: Program,
+    /// How many derivatives each formula has.
+    coordinates: usize,
 }
 
 /// Why a text is no formula.
@@ -120,12 +130,38 @@ impl Expressions {
         &self.formulas
     }
 
+    /// Their first derivatives by the coordinates x1, …, x_n.
+    pub fn gradients(&self, n: usize) -> Gradients {
+        let mut graph = Graph::default();
+        let codes = self.formulas.iter().map(|f| &f.code);
+        let results: Vec<u32> = codes.map(|code| graph.add(code)).collect();
+        let by_coordinate: Vec<_> = (0..n).map(|m| graph.derivatives(&results, m)).collect();
+        let derivatives: Vec<u32> = (0..results.len())
+            .flat_map(|k| by_coordinate.iter().map(move |of| of[k]))
+            .collect();
+        Gradients {
+            program: Program::new(&graph, &derivatives),
+            coordinates: n,
+        }
+    }
+
     /// `take(i, value)` with the value of the i-th formula at x, for all of them in order.
     ///
     /// # Panics
     /// If x has fewer coordinates than the formulas were read for.
     pub fn at<S: Real>(&self, x: &[S], take: impl FnMut(usize, S)) {
         self.program.run(x, take);
+    }
+}
+
+impl Gradients {
+    /// `take(m, value)` with the value of ∂_m at x, for all m of the first formula, then of the second, and so on.
+    ///
+    /// # Panics
+    /// If x has fewer coordinates than the formulas were read for.
+    pub fn at<S: Real>(&self, x: &[S], mut take: impl FnMut(usize, S)) {
+        let n = self.coordinates;
+        self.program.run(x, |k, value| take(k % n, value));
     }
 }
 

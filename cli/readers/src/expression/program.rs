@@ -29,13 +29,12 @@ impl Program {
                 continue;
             }
             // An operand that is needed no more makes room for the value.
-            let mut before = None;
-            for operand in step.operands() {
-                // a · a has one operand.
-                if needed[operand as usize] == Some(i) && before != Some(operand) {
+            for (k, operand) in step.operands().enumerate() {
+                // a · a names one operand twice.
+                let again = step.operands().take(k).any(|before| before == operand);
+                if needed[operand as usize] == Some(i) && !again {
                     free.push(at[operand as usize]);
                 }
-                before = Some(operand);
             }
             at[i] = free.pop().unwrap_or_else(|| {
                 places += 1;
@@ -130,7 +129,7 @@ mod tests {
     #[test]
     fn constants_are_folded() {
         let folded = program(&["2*pi/360*x + cos(pi)^2 - sqrt(4)"]);
-        let left = |s: &Step| matches!(s, Step::Call(..) | Step::Divide(..));
+        let left = |s: &Step| matches!(s, Step::Elementary(..) | Step::Divide(..));
         assert_eq!(counted(&folded, left), 0);
         assert_eq!(counted(&folded, |s| matches!(s, Step::Constant(_))), 3);
     }

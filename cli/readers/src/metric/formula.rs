@@ -1,8 +1,7 @@
 //! The four ways to state a metric, as one smooth tensor.
 
-use super::super::expression::{Expression, Expressions};
+use super::super::expression::{Expression, Expressions, Gradients};
 use super::MetricFile;
-use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Mat, symmetric, zeros};
 use regge_curvature::mesh::SplitMix64;
 use regge_curvature::metrics::SmoothTensor;
@@ -13,12 +12,17 @@ use regge_curvature::scalar::Real;
 pub enum Formula {
     /// g_ij with i ≤ j, row by row.
     Components(Expressions),
-    /// The metric of the graph of f: I + ∇f ⊗ ∇f.
-    Graph(Expression),
     /// c δ.
     Conformal(Expression),
-    /// The metric that an immersion X into ℝ^M induces: ∂_i X · ∂_j X.
-    Embedding(Expressions),
+    /// The metric that a map X into ℝ^M induces: ∂_i X · ∂_j X.
+    Induced {
+        /// X; of a graph its last component alone, those before are the coordinates.
+        map: Expressions,
+        /// ∂_m of it.
+        gradients: Gradients,
+        /// Is it a graph?
+        graph: bool,
+    },
 }
 
 impl Formula {
@@ -28,11 +32,32 @@ impl Formula {
         Self::Components(Expressions::new(upper.cloned().collect()))
     }
 
+    /// The metric of the graph of f: I + ∇f ⊗ ∇f.
+    pub(super) fn of_graph(f: Expression, n: usize) -> Self {
+        Self::induced(vec![f], n, true)
+    }
+
+    /// The metric that a map with these components induces on the n coordinates.
+    pub(super) fn of_embedding(map: Vec<Expression>, n: usize) -> Self {
+        Self::induced(map, n, false)
+    }
+
+    fn induced(map: Vec<Expression>, n: usize, graph: bool) -> Self {
+        let map = Expressions::new(map);
+        Self::Induced {
+            gradients: map.gradients(n),
+            map,
+            graph,
+        }
+    }
+
     /// All formulas in it.
     pub(super) fn expressions(&self) -> Vec<&Expression> {
         match self {
-            Self::Components(all) | Self::Embedding(all) => all.formulas().iter().collect(),
-            Self::Graph(f) | Self::Conformal(f) => vec![f],
+            Self::Components(all) | Self::Induced { map: all, .. } => {
+                all.formulas().iter().collect()
+            }
+            Self::Conformal(f) => vec![f],
         }
     }
 }
@@ -118,21 +143,9 @@ impl<const N: usize> SmoothTensor<N> for FormulaMetric<'_> {
                 let factor = factor.at(x);
                 symmetric(|i, j| if i == j { factor } else { S::zero() })
             }
-            Formula::Graph(f) => {
-                let d = f.at(&coordinates(x)).d;
-                symmetric(|i, j| S::from_int(i64::from(i == j)) + d[i] * d[j])
-            }
-            Formula::Embedding(map) => {
-                let mut g = zeros();
-                map.at(&coordinates(x), |_, f: Jet1<S, N>| {
-                    for i in 0..N {
-                        for j in 0..N {
-                            g[(i, j)] += f.d[i] * f.d[j];
-                        }
-                    }
-                });
-                g
-            }
+            Formula::Induced {
+                gradients, graph, ..
+            } => induced(gradients, *graph, x),
         }
     }
 }
@@ -151,7 +164,20 @@ fn components<S: Real, const N: usize>(upper: &Expressions, x: &[S; N]) -> Mat<S
     g
 }
 
-/// x as jets: with derivatives ∂_m in S, which are exact, and whose own derivatives, if S has any, are exact as well.
-fn coordinates<S: Real, const N: usize>(x: &[S; N]) -> [Jet1<S, N>; N] {
-    std::array::from_fn(|m| Jet1::coordinate(x[m], m))
+/// ∂_i X · ∂_j X, and δ_ij to it if X is the last component of a graph.
+fn induced<S: Real, const N: usize>(map: &Gradients, graph: bool, x: &[S; N]) -> Mat<S, N> {
+    let mut g = symmetric(|i, j| S::from_int(i64::from(graph && i == j)));
+    let mut d = [S::zero(); N];
+    map.at(x, |m, value| {
+        d[m] = value;
+        if m + 1 < N {
+            return;
+        }
+        for i in 0..N {
+            for j in 0..N {
+                g[(i, j)] += d[i] * d[j];
+            }
+        }
+    });
+    g
 }

@@ -7,7 +7,7 @@ mod tests;
 pub use formula::{Formula, FormulaMetric, InSpace};
 
 use super::error::{Fault, InputError, Place, text_of};
-use super::expression::{Expression, Expressions, nearest};
+use super::expression::{Expression, nearest};
 use serde::Deserialize;
 use std::path::Path;
 use toml::Spanned;
@@ -148,7 +148,8 @@ impl Source<'_> {
             return Err(Fault::new(Place::Whole, reason));
         }
         if let Some(graph) = &raw.graph {
-            return Ok(Formula::Graph(self.expression("graph", graph, n)?));
+            let f = self.expression("graph", graph, n)?;
+            return Ok(Formula::of_graph(f, n));
         }
         if let Some(factor) = &raw.conformal {
             return Ok(Formula::Conformal(self.expression(
@@ -177,7 +178,7 @@ impl Source<'_> {
             .iter()
             .map(|text| self.expression("embedding", text, n));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
-        Ok(Formula::Embedding(Expressions::new(parts)))
+        Ok(Formula::of_embedding(parts, n))
     }
 
     fn components(
