@@ -1,24 +1,30 @@
-//! The prime field F_p, p = 2⁶¹ − 1: the library's formulas at random points of it, exactly.
+//! Prime fields F_p, p = 2⁶¹ − 1 and p = 2⁶² − 57: the library's formulas at random points of them, exactly.
 //!
 //! Every formula of the library up to unit normals, volumes and sines of angles is algebraic. Evaluated at random
 //! elements of a large field, two sides that are not identical agree with a probability of at most degree/p
-//! (Schwartz–Zippel); there is no rounding and no tolerance.
+//! (Schwartz–Zippel); there is no rounding and no tolerance. An identity that is false in rational numbers may hold
+//! modulo one prime, if that divides all its coefficients: so there are two.
 //!
 //! As p ≡ 3 mod 4, −1 is no square, and of the two roots of a square exactly one is a square itself. That root is
 //! the one taken here: √a √b = √(ab), as for positive numbers, where the squares play the part of the positive
-//! numbers. A root of a non-square and a division by zero give [`Fp::POISON`], which poisons what is computed
+//! numbers. A root of a non-square and a division by zero give [`Modular::POISON`], which poisons what is computed
 //! from it; the harness then draws again.
 
 use regge_curvature::scalar::{Algebraic, Field};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// An element of F_p.
+/// An element of the field with p = 2^BITS − LESS elements, a prime ≡ 3 mod 4 below 2⁶³.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fp(u64);
+pub struct Modular<const BITS: u32, const LESS: u64>(u64);
 
-impl Fp {
-    /// The number of elements: the Mersenne prime 2⁶¹ − 1.
-    pub const P: u64 = (1 << 61) - 1;
+/// p = 2⁶¹ − 1, a Mersenne prime.
+pub type Fp = Modular<61, 1>;
+/// Another field, p = 2⁶² − 57.
+pub type Fq = Modular<62, 57>;
+
+impl<const BITS: u32, const LESS: u64> Modular<BITS, LESS> {
+    /// The number of elements.
+    pub const P: u64 = (1 << BITS) - LESS;
     /// What an impossible root or division yields. It is equal to itself and to no element.
     pub const POISON: Self = Self(u64::MAX);
 
@@ -65,9 +71,15 @@ impl Fp {
     fn wrap(n: u64) -> u64 {
         if n >= Self::P { n - Self::P } else { n }
     }
+
+    /// 2^BITS ≡ LESS: what is above the low bits is added to them, LESS times.
+    #[inline]
+    fn fold(n: u128) -> u128 {
+        (n & ((1 << BITS) - 1)) + (n >> BITS) * u128::from(LESS)
+    }
 }
 
-impl Add for Fp {
+impl<const BITS: u32, const LESS: u64> Add for Modular<BITS, LESS> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -75,7 +87,7 @@ impl Add for Fp {
     }
 }
 
-impl Sub for Fp {
+impl<const BITS: u32, const LESS: u64> Sub for Modular<BITS, LESS> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -83,21 +95,21 @@ impl Sub for Fp {
     }
 }
 
-impl Mul for Fp {
+impl<const BITS: u32, const LESS: u64> Mul for Modular<BITS, LESS> {
     type Output = Self;
-    /// 2⁶¹ ≡ 1: the high half of the product is added to the low half.
     #[inline]
     fn mul(self, other: Self) -> Self {
         self.combine(other, |a, b| {
-            let product = u128::from(a) * u128::from(b);
-            let low = (product as u64) & Self::P;
-            let high = (product >> 61) as u64;
-            Self::wrap(low + high)
+            let mut product = Self::fold(u128::from(a) * u128::from(b));
+            if LESS > 1 {
+                product = Self::fold(product);
+            }
+            Self::wrap(product as u64)
         })
     }
 }
 
-impl Div for Fp {
+impl<const BITS: u32, const LESS: u64> Div for Modular<BITS, LESS> {
     type Output = Self;
     /// x/y = x y^(p−2), by Fermat.
     fn div(self, other: Self) -> Self {
@@ -111,7 +123,7 @@ impl Div for Fp {
     }
 }
 
-impl Neg for Fp {
+impl<const BITS: u32, const LESS: u64> Neg for Modular<BITS, LESS> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -119,28 +131,28 @@ impl Neg for Fp {
     }
 }
 
-impl AddAssign for Fp {
+impl<const BITS: u32, const LESS: u64> AddAssign for Modular<BITS, LESS> {
     #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl SubAssign for Fp {
+impl<const BITS: u32, const LESS: u64> SubAssign for Modular<BITS, LESS> {
     #[inline]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl MulAssign for Fp {
+impl<const BITS: u32, const LESS: u64> MulAssign for Modular<BITS, LESS> {
     #[inline]
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
 }
 
-impl Field for Fp {
+impl<const BITS: u32, const LESS: u64> Field for Modular<BITS, LESS> {
     fn from_int(n: i64) -> Self {
         let class = Self::new(n.unsigned_abs());
         if n < 0 { -class } else { class }
@@ -156,7 +168,7 @@ impl Field for Fp {
     }
 }
 
-impl Algebraic for Fp {
+impl<const BITS: u32, const LESS: u64> Algebraic for Modular<BITS, LESS> {
     /// x^((p+1)/4), the root that is a square itself; poison if x is no square.
     fn sqrt(self) -> Self {
         let root = self.pow((Self::P + 1) / 4);

@@ -1,5 +1,6 @@
 //! What a check found: one entry of the report, as data.
 
+use super::bound::Bound;
 use serde::Serialize;
 
 /// One claim in one dimension by one method.
@@ -27,6 +28,9 @@ pub struct Entry {
     pub forgeries: Vec<Forgery>,
     /// Those that cannot be.
     pub vacuous: Vec<Vacuous>,
+    /// The degree of an exact run's identities.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bound: Option<Bound>,
     /// log₂ of the chance that a false identity was accepted, of exact runs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub false_accept_log2: Option<f64>,

@@ -194,6 +194,36 @@ impl<B: Ground> Equation<B> {
     }
 }
 
+impl<B: Copy> Equation<B> {
+    /// The same equation over another scalar.
+    pub fn map<C>(&self, f: &dyn Fn(B) -> C) -> Equation<C> {
+        let all = |values: &[B]| values.iter().map(|x| f(*x)).collect();
+        let terms = |terms: &[Term<B>]| -> Vec<Term<C>> {
+            let mapped = terms.iter().map(|t| Term {
+                name: t.name,
+                value: all(&t.value),
+                vanishes: t.vanishes,
+            });
+            mapped.collect()
+        };
+        let replaced = |r: &(&'static str, Vec<B>)| (r.0, all(&r.1));
+        let forged = self.forged.iter().map(|f| Forged {
+            name: f.name,
+            replaced: f.replaced.iter().map(replaced).collect(),
+            somewhere: f.somewhere,
+            vacuous: f.vacuous,
+        });
+        Equation {
+            name: self.name,
+            relation: self.relation,
+            left: terms(&self.left),
+            right: terms(&self.right),
+            forged: forged.collect(),
+            magnitude: self.magnitude,
+        }
+    }
+}
+
 impl<B: Ground> Equation<B> {
     /// The terms of both sides.
     pub(super) fn terms(&self) -> impl Iterator<Item = &Term<B>> {
@@ -209,8 +239,8 @@ impl<B: Ground> Equation<B> {
         if sum == 0.0 { 1.0 } else { sum }
     }
 
-    /// |left − right| over the scale, or left/right; with some terms replaced.
-    pub(super) fn residual(&self, replaced: &[(&'static str, Vec<B>)]) -> f64 {
+    /// The two sides, with some terms replaced; as long as the longer one.
+    fn sides(&self, replaced: &[(&'static str, Vec<B>)]) -> [Vec<B>; 2] {
         let side = |terms: &[Term<B>]| -> Vec<B> {
             let mut sum: Vec<B> = Vec::new();
             for term in terms {
@@ -229,23 +259,34 @@ impl<B: Ground> Equation<B> {
         let len = left.len().max(right.len());
         left.resize(len, B::zero());
         right.resize(len, B::zero());
+        [left, right]
+    }
+
+    /// left − right, with some terms replaced.
+    pub fn difference(&self, replaced: &[(&'static str, Vec<B>)]) -> Vec<B> {
+        let [left, right] = self.sides(replaced);
+        left.iter().zip(&right).map(|(l, r)| *l - *r).collect()
+    }
+
+    /// |left − right| over the scale, or left/right; with some terms replaced.
+    pub(super) fn residual(&self, replaced: &[(&'static str, Vec<B>)]) -> f64 {
         if self.relation == Relation::AtMost {
+            let [left, right] = self.sides(replaced);
             return largest(&left) / largest(&right);
         }
-        let difference: Vec<B> = left.iter().zip(&right).map(|(l, r)| *l - *r).collect();
-        largest(&difference) / self.scale()
+        largest(&self.difference(replaced)) / self.scale()
+    }
+
+    /// Every number in it, those of the forgeries included.
+    pub fn numbers(&self) -> impl Iterator<Item = B> {
+        let forged = self.forged.iter().flat_map(|f| &f.replaced);
+        let values = self.terms().map(|t| &t.value).chain(forged.map(|r| &r.1));
+        values.flatten().copied()
     }
 
     /// Did a root or an inverse not exist?
     pub fn is_poisoned(&self) -> bool {
-        let forged = self
-            .forged
-            .iter()
-            .flat_map(|f| f.replaced.iter().flat_map(|r| &r.1));
-        self.terms()
-            .flat_map(|t| &t.value)
-            .chain(forged)
-            .any(|x| x.is_poison())
+        self.numbers().any(|x| x.is_poison())
     }
 }
 

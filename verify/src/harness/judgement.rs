@@ -31,11 +31,8 @@ impl Method {
 /// How the residual of an equation is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Judgement {
-    /// Equality in the field. A false identity survives one draw with probability ≤ degree/p.
-    Exact {
-        /// A bound of the degree of the identity, cleared of denominators and roots.
-        degree: f64,
-    },
+    /// Equality in the field. How likely a false identity survives is the matter of a [`Bound`](super::Bound).
+    Exact,
     /// |left − right| over the sum of the terms' magnitudes is at most this.
     Rounding {
         /// The bound.
@@ -56,19 +53,11 @@ impl Judgement {
     /// What a residual may be at most.
     pub fn tolerance(self) -> f64 {
         match self {
-            Self::Exact { .. } => 0.0,
+            Self::Exact => 0.0,
             Self::Rounding { tolerance } | Self::Quadrature { tolerance } => tolerance,
             Self::Rate => 1.0,
             // A few units in the last place of a quotient.
             Self::Bound => 1.0 + 1e-12,
-        }
-    }
-
-    /// log₂ of the probability that a false identity survives this many independent draws.
-    pub fn false_accept_log2(self, draws: usize) -> Option<f64> {
-        match self {
-            Self::Exact { degree } => Some(draws as f64 * (degree.log2() - 61.0)),
-            _ => None,
         }
     }
 }

@@ -9,6 +9,7 @@
 //! mathematics is behind the function pointers in it. What the functions work on is on the floor above,
 //! [`stage`](crate::stage).
 
+mod bound;
 mod case;
 mod check;
 mod entry;
@@ -20,12 +21,15 @@ mod scalar;
 mod tally;
 mod weighted;
 
+pub use bound::Bound;
 pub use case::{Draw, Key, Setting, Shape, grid};
-pub use check::{Budget, Cases, Catalogue, Check, Kind, OnMeshes, OnNumbers, has};
+pub use check::{
+    Budget, Cases, Catalogue, Check, Integrals, Kind, OnMeshes, OnNumbers, OnPrograms, has,
+};
 pub use entry::{Entry, Failure, Forgery, Vacuous, Verdict};
 pub use equation::{Equation, Forged, Relation, Term};
 pub use judgement::{Judgement, Method};
 pub use lists::{each, list, others, pairwise, table};
 pub use record::{ENOUGH, Excuses, Record};
-pub use scalar::{Components, Ground, Timed};
+pub use scalar::{Components, Drawn, Ground, Timed};
 pub use tally::{Case, Tally};

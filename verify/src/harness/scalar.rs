@@ -1,7 +1,7 @@
 //! The scalars that a claim runs over: a ground scalar, and the same scalar with a rate of change in time.
 
 use super::judgement::Method;
-use crate::exact::Fp;
+use crate::exact::{Modular, Recorded};
 use nalgebra::SMatrix;
 use num_dual::Dual64;
 use proptest::strategy::{BoxedStrategy, Strategy};
@@ -20,8 +20,14 @@ impl Components<f64> for f64 {
     }
 }
 
-impl Components<Fp> for Fp {
-    fn components(self) -> Vec<Fp> {
+impl<const BITS: u32, const LESS: u64> Components<Self> for Modular<BITS, LESS> {
+    fn components(self) -> Vec<Self> {
+        vec![self]
+    }
+}
+
+impl Components<Recorded> for Recorded {
+    fn components(self) -> Vec<Recorded> {
         vec![self]
     }
 }
@@ -40,15 +46,9 @@ impl<B: Ground, const R: usize, const C: usize> Components<B> for SMatrix<B, R, 
 
 /// A scalar in which the two sides of a claim are compared.
 pub trait Ground: Algebraic + Components<Self> {
-    /// Its name in the report.
-    const NAME: &'static str;
     /// What a run over it is called.
     const METHOD: Method;
-    /// How many draws may be spoilt by missing roots before the harness gives up on one case.
-    const REDRAWS: usize;
 
-    /// A number that every other is judged by: at random from −1…1, or from the whole field.
-    fn number() -> BoxedStrategy<Self>;
     /// Is this no number (NaN, an infinity, a missing root)?
     fn is_poison(self) -> bool;
     /// |x|; in a field without order 0 for zero and 1 for all others.
@@ -61,14 +61,22 @@ pub trait Ground: Algebraic + Components<Self> {
     fn from_real(x: f64) -> Self;
 }
 
-impl Ground for f64 {
-    const NAME: &'static str = "f64";
-    const METHOD: Method = Method::Ad;
-    const REDRAWS: usize = 0;
+/// A scalar of which random numbers are drawn.
+pub trait Drawn: Ground {
+    /// Its name in the report.
+    const NAME: &'static str;
+    /// How many draws may be spoilt by missing roots before the harness gives up on one case.
+    const REDRAWS: usize;
+    /// log₂ of how many numbers there are to draw, where they are equally likely.
+    const SIZE_LOG2: f64;
 
-    fn number() -> BoxedStrategy<Self> {
-        (-1.0..1.0).boxed()
-    }
+    /// A number that every other is judged by: at random from −1…1, or from the whole field.
+    fn number() -> BoxedStrategy<Self>;
+}
+
+impl Ground for f64 {
+    const METHOD: Method = Method::Ad;
+
     fn is_poison(self) -> bool {
         !self.is_finite()
     }
@@ -86,20 +94,24 @@ impl Ground for f64 {
     }
 }
 
-impl Ground for Fp {
-    const NAME: &'static str = "F_p";
-    const METHOD: Method = Method::Exact;
-    // Up to a dozen roots are asked for: one draw in 2¹² has them all.
-    const REDRAWS: usize = 1 << 17;
+impl Drawn for f64 {
+    const NAME: &'static str = "f64";
+    const REDRAWS: usize = 0;
+    const SIZE_LOG2: f64 = f64::INFINITY;
 
     fn number() -> BoxedStrategy<Self> {
-        (0..Fp::P).prop_map(Fp::new).boxed()
+        (-1.0..1.0).boxed()
     }
+}
+
+impl<const BITS: u32, const LESS: u64> Ground for Modular<BITS, LESS> {
+    const METHOD: Method = Method::Exact;
+
     fn is_poison(self) -> bool {
-        Fp::is_poison(self)
+        Modular::is_poison(self)
     }
     fn size(self) -> f64 {
-        if self == Fp::zero() { 0.0 } else { 1.0 }
+        if self == Self::zero() { 0.0 } else { 1.0 }
     }
     fn angle(_sin: Self, _cos: Self) -> Option<Self> {
         None
@@ -109,6 +121,40 @@ impl Ground for Fp {
     }
     fn from_real(_x: f64) -> Self {
         Self::POISON
+    }
+}
+
+impl<const BITS: u32, const LESS: u64> Drawn for Modular<BITS, LESS> {
+    const NAME: &'static str = "F_p";
+    // Up to a dozen roots are asked for: one draw in 2¹² has them all.
+    const REDRAWS: usize = 1 << 17;
+    // p is within 2⁻⁵⁶ of it.
+    const SIZE_LOG2: f64 = BITS as f64;
+
+    fn number() -> BoxedStrategy<Self> {
+        (0..Self::P).prop_map(Self::new).boxed()
+    }
+}
+
+/// Numbers of which only the program is known have neither size nor order.
+impl Ground for Recorded {
+    const METHOD: Method = Method::Exact;
+
+    fn is_poison(self) -> bool {
+        false
+    }
+    fn size(self) -> f64 {
+        0.0
+    }
+    fn angle(_sin: Self, _cos: Self) -> Option<Self> {
+        None
+    }
+    fn to_real(self) -> f64 {
+        f64::NAN
+    }
+    /// 1/0, which is poison in every field.
+    fn from_real(_x: f64) -> Self {
+        Self::one() / Self::zero()
     }
 }
 
@@ -151,20 +197,20 @@ impl Timed for Dual64 {
     }
 }
 
-impl Timed for Jet1<Fp, 1> {
-    type Base = Fp;
+impl Timed for Jet1<Recorded, 1> {
+    type Base = Recorded;
 
-    fn new(value: Fp, rate: Fp) -> Self {
+    fn new(value: Recorded, rate: Recorded) -> Self {
         Jet1 { value, d: [rate] }
     }
-    fn value(self) -> Fp {
+    fn value(self) -> Recorded {
         self.value
     }
-    fn rate(self) -> Fp {
+    fn rate(self) -> Recorded {
         self.d[0]
     }
     /// θ̇ = (c ṡ − s ċ)/(s² + c²).
-    fn angle_rate(sin: Self, cos: Self) -> Fp {
+    fn angle_rate(sin: Self, cos: Self) -> Recorded {
         let ((s, c), (ds, dc)) = ((sin.value, cos.value), (sin.d[0], cos.d[0]));
         (c * ds - s * dc) / (s * s + c * c)
     }

@@ -4,7 +4,7 @@ use super::coverage::coverage;
 use super::data::Report;
 use super::markdown::cell;
 use super::summary::{Row, margin};
-use crate::harness::{Entry, Record, Verdict};
+use crate::harness::{Bound, Entry, Record, Verdict};
 use crate::paper::statements;
 use std::fmt::Write;
 
@@ -60,7 +60,13 @@ pub(super) const SHARED: &str = "\
 Each page says what keeps the two sides of a claim apart. Points, meshes, quadrature, jets and polynomials (floors 0 to 2 \
 of the library) serve both sides. Of what lies above, both sides may use the connection, normals and volume forms of a \
 metric; where one formula of the paper is on both sides, the page says so, and which claim pins it down against a value \
-from elsewhere.";
+from elsewhere.
+
+An exact run records the program that the library's code executes and runs it at random elements of two fields, with \
+2⁶¹ − 1 and 2⁶² − 57 elements. The degrees on the pages are counted along that program, cleared of denominators, a root \
+counting half of what is under it; g = AAᵀ + ½δ is of degree two in what is drawn. Of k roots 2ᵏ choices of signs make a \
+polynomial of 2ᵏ times the degree, and one draw in 2ᵏ has all roots that are asked for (the second number). The chance \
+is that of the draws from one field alone, since a false identity may hold modulo the other prime.";
 
 fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
     let mut text = format!(
@@ -132,8 +138,35 @@ fn page(row: &Row<'_>, record: &Record) -> String {
             verdict(e.verdict)
         );
     }
+    degrees(&mut text, row);
     forgeries(&mut text, row);
     text
+}
+
+/// What the chances of the exact runs are computed from.
+fn degrees(text: &mut String, row: &Row<'_>) {
+    let bounds: Vec<(usize, &Bound)> = (row.entries.iter())
+        .filter_map(|e| Some((e.dimension, e.bound.as_ref()?)))
+        .collect();
+    if bounds.is_empty() {
+        return;
+    }
+    text.push_str(
+        "\n## Degrees\n\n| N | degree | roots | degrees by what is drawn |\n|---|---|---|---|\n",
+    );
+    for (dimension, bound) in bounds {
+        let by: Vec<String> = (bound.by_group.iter())
+            .map(|(name, degree)| format!("{name}: {degree}"))
+            .collect();
+        let _ = writeln!(
+            text,
+            "| {dimension} | {} | {} of {} | {} |",
+            bound.degree,
+            bound.roots,
+            bound.roots_drawn,
+            by.join(", ")
+        );
+    }
 }
 
 /// Every forgery with the dimensions where it was caught, and where it changes nothing.

@@ -1,8 +1,8 @@
-//! The prime field, and exact integrals over it.
+//! The prime fields, and exact integrals over them.
 
 use proptest::prelude::*;
 use regge_curvature::scalar::{Algebraic, Field};
-use regge_verify::exact::{Fp, on_simplex};
+use regge_verify::exact::{Fp, Fq, on_simplex};
 
 fn element() -> impl Strategy<Value = Fp> {
     prop_oneof![9 => (0..Fp::P).prop_map(Fp::new), 1 => (0u64..4).prop_map(Fp::new)]
@@ -28,6 +28,24 @@ proptest! {
         let sum = ((u128::from(a) + u128::from(b)) % p) as u64;
         prop_assert_eq!(Fp::new(a) * Fp::new(b), Fp::new(product));
         prop_assert_eq!(Fp::new(a) + Fp::new(b), Fp::new(sum));
+    }
+
+    #[test]
+    fn so_does_the_other_field(a in 0..Fq::P, b in 0..Fq::P) {
+        let q = u128::from(Fq::P);
+        let product = (u128::from(a) * u128::from(b) % q) as u64;
+        let sum = ((u128::from(a) + u128::from(b)) % q) as u64;
+        let (x, y) = (Fq::new(a), Fq::new(b));
+        prop_assert_eq!(x * y, Fq::new(product));
+        prop_assert_eq!(x + y, Fq::new(sum));
+        prop_assert_eq!((x - y) + y, x);
+        let root = (x * x).sqrt();
+        prop_assert!(root == x || root == -x);
+        prop_assert!(!root.sqrt().is_poison(), "the root is a square itself");
+        prop_assert_eq!((x * x).sqrt() * (y * y).sqrt(), (x * x * y * y).sqrt());
+        if b != 0 {
+            prop_assert_eq!(x / y * y, x);
+        }
     }
 
     #[test]
@@ -74,10 +92,10 @@ fn it_integrates_monomials() {
     for alpha in [vec![3, 0], vec![2, 5], vec![1, 2, 3], vec![4, 0, 1, 2]] {
         let (k, degree) = (alpha.len() - 1, alpha.iter().sum::<i64>());
         let mut sum = Fp::zero();
-        on_simplex(
+        let there = on_simplex(
             k,
             degree as usize,
-            &|l| !Algebraic::sqrt(l[l.len() - 2]).is_poison(),
+            &|l: &[Fp]| !Algebraic::sqrt(l[l.len() - 2]).is_poison(),
             &mut |l, w| {
                 let monomial = l
                     .iter()
@@ -86,6 +104,7 @@ fn it_integrates_monomials() {
                 sum += w * monomial;
             },
         );
+        assert!(there, "half of all points have the root");
         let top = alpha.iter().fold(Fp::one(), |p, a| p * factorial(*a));
         assert_eq!(sum, top / factorial(degree + k as i64), "{alpha:?}");
     }

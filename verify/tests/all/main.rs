@@ -7,4 +7,5 @@ mod errata;
 mod exact;
 mod how_to;
 mod labels;
+mod program;
 mod sabotage;

@@ -1,9 +1,8 @@
 //! T03: twice by parts over a cell.
 
-use crate::exact::Fp;
-use crate::harness::{Draw, Equation, Judgement, Record, Setting};
+use crate::harness::{Draw, Equation, Ground, Judgement, Record, Setting};
 use crate::stage::mesh::{FLAT, FaceTerms, OnMesh, Pair, QUADRATURE, Where, minus, on_one_simplex};
-use crate::stage::polynomial::{ByParts, Exactly, poisoned};
+use crate::stage::polynomial::{ByParts, Exactly, poison, poisoned};
 use regge_curvature::formulas::Formulas;
 
 /// The first two integrations by parts of its proof.
@@ -54,11 +53,14 @@ impl OnMesh for T03 {
 impl ByParts for T03 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_single(numbers, formulas);
+    fn equations<F: Ground, const N: usize>(
+        numbers: &[F],
+        formulas: &Formulas,
+    ) -> Vec<Equation<F>> {
+        let at = Exactly::<F, N>::on_single(numbers, formulas);
         let faces = at.faces(|q| [q.gradient, q.div_s]);
         let [div_div, hessian, inner] = if poisoned(&faces) {
-            [Fp::POISON; 3]
+            poison()
         } else {
             at.cells()
         };

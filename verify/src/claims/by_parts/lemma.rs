@@ -1,13 +1,11 @@
 //! lemma:IBPdivdivS: M04 on a mesh, T04 on one simplex; over meshes and exactly.
 
-use crate::exact::Fp;
-use crate::harness::{Draw, Equation, Judgement, Record, Setting, each};
+use crate::harness::{Draw, Equation, Ground, Judgement, Record, Setting, each};
 use crate::stage::mesh::{
     FLAT, FaceTerms, OnMesh, Pair, QUADRATURE, Tested, Where, everywhere, minus, on_one_simplex,
 };
-use crate::stage::polynomial::{ByParts, Exactly, add_up};
+use crate::stage::polynomial::{ByParts, Exactly, add_up, poison};
 use regge_curvature::formulas::Formulas;
-use regge_curvature::scalar::Field;
 use regge_curvature::simplex::subsets;
 
 /// lemma:IBPdivdivS on a mesh.
@@ -124,14 +122,14 @@ impl OnMesh for T04 {
 }
 
 /// Σ_F: (div 𝕊σ)(n) v, div_F(σ(n,·)) v, Hσ(n,n) v, 𝕊σ(n,n)∇_n v.
-struct Terms {
-    faces: [Fp; 4],
-    hinges: Fp,
-    cells: [Fp; 3],
+struct Terms<F> {
+    faces: [F; 4],
+    hinges: F,
+    cells: [F; 3],
 }
 
-impl Terms {
-    fn equation(self) -> Equation<Fp> {
+impl<F: Ground> Terms<F> {
+    fn equation(self) -> Equation<F> {
         let ([div_s, div_f, h_nn, normal], turn) = (self.faces, self.hinges);
         Equation::new("by parts")
             .left("∫(div div 𝕊σ)v", self.cells[0])
@@ -148,18 +146,21 @@ impl Terms {
 impl ByParts for T04 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_single(numbers, formulas);
+    fn equations<F: Ground, const N: usize>(
+        numbers: &[F],
+        formulas: &Formulas,
+    ) -> Vec<Equation<F>> {
+        let at = Exactly::<F, N>::on_single(numbers, formulas);
         // The hinges first: where roots do not exist at all, the rest need not be integrated.
-        let mut hinges = Fp::zero();
+        let mut hinges = F::zero();
         for pair in subsets(N + 1, 2) {
             let two = at.integral(N - 2, &|l| at.hinge(0, [pair[0], pair[1]], l));
             hinges += two[0] + two[1];
         }
         let mut terms = Terms {
             hinges,
-            faces: [Fp::POISON; 4],
-            cells: [Fp::POISON; 3],
+            faces: poison(),
+            cells: poison(),
         };
         if !hinges.is_poison() {
             terms.faces = at.faces(|q| [q.div_s, q.div_f, q.h_nn, q.s_nn * q.along_n]);
@@ -178,14 +179,14 @@ fn other_than<const N: usize>(place: usize) -> usize {
 /// On a triangle cut into three, v a multiple of the inner vertex's hat function.
 impl M04 {
     /// The inner vertex.
-    fn hinge<const N: usize>(at: &Exactly<N>) -> Fp {
-        let of = |cell: usize| at.hinge(cell, [1, 2], &[Fp::one()]);
+    fn hinge<F: Ground, const N: usize>(at: &Exactly<F, N>) -> F {
+        let of = |cell: usize| at.hinge(cell, [1, 2], &[F::one()]);
         let all = (0..at.cell_count()).map(of);
-        all.fold(Fp::zero(), |sum, two| sum + two[0] + two[1])
+        all.fold(F::zero(), |sum, two| sum + two[0] + two[1])
     }
 
     /// The inner edges, from the inner vertex to the corner c, from both sides; 𝕊σ(n,n) of the first for both.
-    fn inner_edge<const N: usize>(at: &Exactly<N>, c: usize) -> [Fp; 4] {
+    fn inner_edge<F: Ground, const N: usize>(at: &Exactly<F, N>, c: usize) -> [F; 4] {
         let sides: Vec<(usize, usize)> = (0..=N)
             .filter(|cell| *cell != c)
             .map(|cell| {
@@ -207,29 +208,33 @@ impl M04 {
     }
 
     /// The boundary, where v vanishes and ∇v does not.
-    fn boundary<const N: usize>(at: &Exactly<N>, cell: usize) -> [Fp; 4] {
+    fn boundary<F: Ground, const N: usize>(at: &Exactly<F, N>, cell: usize) -> [F; 4] {
         let normal = at.integral(N - 1, &|lambda| {
             let p = at.face(cell, 0, lambda);
             [p.s_nn * p.along_n]
         });
-        [Fp::zero(), Fp::zero(), Fp::zero(), normal[0]]
+        [F::zero(), F::zero(), F::zero(), normal[0]]
     }
 }
 
 impl ByParts for M04 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
+    const CUT: bool = true;
 
-    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_cut(numbers, formulas);
+    fn equations<F: Ground, const N: usize>(
+        numbers: &[F],
+        formulas: &Formulas,
+    ) -> Vec<Equation<F>> {
+        let at = Exactly::<F, N>::on_cut(numbers, formulas);
         let mut terms = Terms {
             hinges: Self::hinge(&at),
-            faces: [Fp::POISON; 4],
-            cells: [Fp::POISON; 3],
+            faces: poison(),
+            cells: poison(),
         };
         if !terms.hinges.is_poison() {
             let inner = (0..=N).map(|c| Self::inner_edge(&at, c));
             let outer = (0..=N).map(|cell| Self::boundary(&at, cell));
-            terms.faces = inner.chain(outer).fold([Fp::zero(); 4], add_up);
+            terms.faces = inner.chain(outer).fold([F::zero(); 4], add_up);
             terms.cells = at.cells();
         }
         vec![terms.equation()]

@@ -1,11 +1,10 @@
 //! T01: Stokes' theorem on a face.
 
-use crate::exact::Fp;
-use crate::harness::{Draw, Equation, Judgement, Record, Setting, each, list};
+use crate::harness::{Draw, Equation, Ground, Judgement, Record, Setting, each, list};
 use crate::stage::fields::{Regge, Seen, metric, points_of};
 use crate::stage::mesh::{FLAT, OnMesh, QUADRATURE, on_one_simplex, opposite, outward_of_face};
 use crate::stage::point::Face;
-use crate::stage::polynomial::{ByParts, Exactly};
+use crate::stage::polynomial::{ByParts, Exactly, poison};
 use regge_curvature::density::{Corner, outward, surface_div};
 use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::Rules;
@@ -13,7 +12,6 @@ use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Vector, contract, inverse_and_det};
 use regge_curvature::mesh::Side;
 use regge_curvature::riemann::Connection;
-use regge_curvature::scalar::Field;
 use regge_curvature::simplex::{Bernstein, JetTable, Points, subsets};
 use regge_curvature::spaces::ReggeSpace;
 
@@ -150,18 +148,21 @@ impl OnMesh for T01 {
 impl ByParts for T01 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
 
-    fn equations<const N: usize>(numbers: &[Fp], formulas: &Formulas) -> Vec<Equation<Fp>> {
-        let at = Exactly::<N>::on_single(numbers, formulas);
+    fn equations<F: Ground, const N: usize>(
+        numbers: &[F],
+        formulas: &Formulas,
+    ) -> Vec<Equation<F>> {
+        let at = Exactly::<F, N>::on_single(numbers, formulas);
         let (mut div, mut boundary, mut curved) = (Vec::new(), Vec::new(), Vec::new());
         for f in 0..=N {
-            let mut outflow = Fp::zero();
+            let mut outflow = F::zero();
             for other in (0..=N).filter(|o| *o != f) {
                 // ν_F = −τ.
                 outflow -= at.integral(N - 2, &|l| [at.hinge(0, [f, other], l)[0]])[0];
             }
             boundary.push(outflow);
             let [d, h] = if outflow.is_poison() {
-                [Fp::POISON; 2]
+                poison()
             } else {
                 at.integral(N - 1, &|l| {
                     let p = at.face(0, f, l);

@@ -49,7 +49,6 @@ impl Pointwise for O01 {
             Semi-Riemannian Geometry, corollary 3.58).",
     };
     const OVER: Over = Over::Oracle;
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let split = N.div_ceil(2);
@@ -83,7 +82,6 @@ impl Pointwise for O02 {
             Einstein Manifolds, theorem 1.159) with u = e^{2f}.",
     };
     const OVER: Over = Over::Oracle;
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         // In 1…3, where the numbers have an order.
@@ -121,7 +119,6 @@ impl Pointwise for O03 {
         sides: "Left: the library's R and Ric. Right: Riemann's metric of constant sectional curvature κ (1854).",
     };
     const OVER: Over = Over::Oracle;
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let x = i.position();

@@ -32,7 +32,6 @@ impl Pointwise for D09 {
         sides: "Left: the library's dihedral angle, conormals and outward normals, made of g⁻¹ and covectors. Right: \
             edge vectors of the simplex, orthonormalised with g.",
     };
-    const ROOTS: u32 = 8;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
@@ -104,7 +103,6 @@ impl Pointwise for I20 {
             + \tilde g(\tilde n^1 - n^1,n^2) + \tilde g(n^1,\tilde n^2 - n^2) + \tilde g(n^1,n^2) - g(n^1,n^2)",
         sides: "Left: the library's dihedral angles, from products of covectors. Right: products of unit normals.",
     };
-    const ROOTS: u32 = 8;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, other) = (i.still0(), Connection::new(&i.other));

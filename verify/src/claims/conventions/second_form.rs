@@ -21,7 +21,6 @@ impl Pointwise for D03 {
         sides: "Left: the library's II, made of ∇ν. Right: derivatives of the field n, of frame fields, the Hessian of \
             φ, and Christoffel symbols.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
@@ -124,7 +123,6 @@ impl Pointwise for D07 {
             \operatorname{Tr}\overline{\mathrm{II}} = -(N-2)H",
         sides: "Left: the library's II‾ on a frame. Right: H.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();
@@ -158,7 +156,6 @@ impl Pointwise for D08 {
         sides: "Left: II of either side with its own outward normal. Right: the difference of the two forms with \
             respect to one fixed normal.",
     };
-    const ROOTS: u32 = 4;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (plus, minus) = (i.still0(), Connection::new(&i.other));

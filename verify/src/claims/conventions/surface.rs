@@ -19,7 +19,6 @@ impl Pointwise for D05 {
         statement: r"\nabla_F v = \nabla v - n\nabla_n v = \sum_i\tau_i\nabla_{\tau_i}v,\qquad g(n,\nabla_F v) = 0",
         sides: "Left: dv raised with the library's tangential part of g⁻¹. Right: the gradient, and a frame.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
@@ -61,7 +60,6 @@ impl Pointwise for D06 {
         sides: "Left: the library's div_F with the tangential part of g⁻¹. Right: two different frames; another \
             extension of α.",
     };
-    const ROOTS: u32 = 10;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, frame) = (i.still0(), i.frame());
@@ -109,7 +107,6 @@ impl Pointwise for T02 {
             \qquad \mathbb{S}\sigma(n,\nabla_F v) = \sigma(n,\nabla_F v)",
         sides: "Left: σ and 𝕊σ on n and ∇_F v. Right: surface divergences of jets; a frame.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();

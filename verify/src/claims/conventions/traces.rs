@@ -20,7 +20,6 @@ impl Pointwise for D01 {
             \langle g,\sigma\rangle = \operatorname{Tr}\sigma,\quad \Delta v = \operatorname{Tr}\nabla\nabla v",
         sides: "Left: derivatives of the jet of a function. Right: covariant derivatives of tensors. Both use Γ, the left only in div.",
     };
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (still, sigma) = (i.still(), i.sigma0());
@@ -67,7 +66,6 @@ impl Pointwise for D02 {
             \mathbb{S}^{-1}\rho = \rho - \frac{g\operatorname{Tr}\rho}{N-1}",
         sides: "Left: the library's 𝕊. Right: the trace.",
     };
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
@@ -102,7 +100,6 @@ impl Pointwise for I09 {
             + (N-2)\langle g,\sigma\rangle^2",
         sides: "Left: the library's 𝕊. Right: σ and its trace.",
     };
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());

@@ -59,7 +59,6 @@ impl Pointwise for M12 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[3, 4, 5];
     const OVER: Over = Over::Integers;
-    const ROOTS: u32 = 2;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());

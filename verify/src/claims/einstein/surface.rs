@@ -60,7 +60,6 @@ impl Pointwise for M07 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[2];
     const OVER: Over = Over::Integers;
-    const ROOTS: u32 = 4;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (still, scene, sigma) = (i.still(), i.scene(), i.sigma0());

@@ -19,7 +19,6 @@ impl Pointwise for M11 {
             \langle g|_S,g|_S\rangle = N-2",
         sides: "Left: full contractions of the tensors. Right: R, H and the dimension.",
     };
-    const ROOTS: u32 = 3;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let still = i.still();

@@ -130,7 +130,6 @@ impl Pointwise for I28 {
     const EXCUSES: Excuses =
         Excuses::one_method("an identity of whole numbers: it is exact already")
             .few_cases("nothing is random: r = 0, …, 5 for every N");
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(_i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let int = |n: usize| S::Base::from_int(n as i64);

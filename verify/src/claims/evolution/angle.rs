@@ -59,7 +59,6 @@ impl Pointwise for P22 {
         sides: "Left: the library's dihedral angle in g + tσ, differentiated in t. Right: σ on the two pairs, made of \
             the normals at t = 0. There is no angle on the right.",
     };
-    const ROOTS: u32 = 5;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
@@ -98,7 +97,6 @@ impl Pointwise for P23 {
         sides: "Left: the library's dihedral angle in g + tσ, differentiated in t; combinations of normals. Right: σ \
             at t = 0; the library's conormals.",
     };
-    const ROOTS: u32 = 8;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (base, sigma) = (i.still0(), i.sigma0());
@@ -144,7 +142,6 @@ impl Pointwise for P24 {
         sides: "Left: the library's dihedral angle in g + tσ, differentiated in t. Right: σ on outward normals and \
             conormals. The paper's sum for −θ̇ has the opposite sign with the τ it describes: a forgery here.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);

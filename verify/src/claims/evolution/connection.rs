@@ -39,7 +39,6 @@ impl Pointwise for P05 {
             + (\nabla_j\sigma)_{im} - (\nabla_m\sigma)_{ij}\right)",
         sides: "Left: Γ of g + tσ, differentiated in t. Right: covariant derivatives of σ. Both use Γ, the left its change and the right its value, which D03 and O03 pin down.",
     };
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
@@ -86,7 +85,6 @@ impl Pointwise for P06 {
         sides: "Left: ∇_Y X with the connection of g + tσ and moving X, Y, differentiated in t. Right: covariant \
             derivatives at t = 0. (The last lines of the printed proof omit the ♯.) Both use Γ, the left its change and the right its value, which D03 and O03 pin down.",
     };
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let base = i.still0();
@@ -136,7 +134,6 @@ impl Pointwise for I12 {
             + (\Gamma^k_{ij} - \tilde\Gamma^k_{ij})\,\partial_k v",
         sides: "Left: the difference of the library's two Hessians. Right: Christoffel symbols and dv, no second derivatives of v.",
     };
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (one, two) = (i.still0(), Connection::new(&i.other));

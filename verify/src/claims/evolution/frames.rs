@@ -35,7 +35,6 @@ impl Pointwise for P10 {
         statement: r"H = -\sum_i g(n,\nabla_{\tau_i}\tau_i)",
         sides: "Left: the trace of the library's II, made of ∇ν. Right: covariant derivatives of frame fields.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, g) = (i.frame(), i.still0().g);
@@ -66,7 +65,6 @@ impl Pointwise for P11 {
         sides: "Left: the trace of the library's II in g + tσ, differentiated in t. Right: a frame that turns and \
             stretches, differentiated in t. Both use H, the left its change and the right its value, which D04 pins down.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
@@ -94,7 +92,6 @@ impl Pointwise for P12 {
         statement: r"2\sum_i g(n,\nabla_{\dot\tau_i}\tau_i) = \langle\mathrm{II},\sigma|_F\rangle",
         sides: "Left: the rates of a moving frame. Right: the library's II against σ.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
@@ -127,7 +124,6 @@ impl Pointwise for P13 {
         sides: "Left: the trace of the library's II in g + tσ, differentiated in t. Right: covariant derivatives of \
             σ on a frame at t = 0. Both use II, the left its change and the right its value, which D03 and D04 pin down.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());

@@ -16,7 +16,6 @@ impl Pointwise for P14 {
         statement: r"\langle\mathrm{II},\sigma|_F\rangle = \sum_i\sigma(\nabla_{\tau_i}n,\tau_i)",
         sides: "Left: the library's II with the tangential part of g⁻¹. Right: derivatives of the field n on a frame.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
@@ -44,7 +43,6 @@ impl Pointwise for P15 {
             - (\nabla_n\sigma)(\tau_i,\tau_i)\right]",
         sides: "Left: the divergence of the jets of 𝕊σ with g⁻¹. Right: covariant derivatives of σ on a frame. Both use ∇σ, which P05 and O02 pin down: contracted with g⁻¹ on the left, in a frame on the right.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
@@ -73,7 +71,6 @@ impl Pointwise for P16 {
         sides: "Left: the library's surface divergence of the jets of σ(n,·). Right: derivatives of functions along a \
             frame field.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
@@ -106,7 +103,6 @@ impl Pointwise for P17 {
             - \operatorname{div}_F(\sigma(n,\cdot))\right)",
         sides: "Left: covariant derivatives of σ on a frame. Right: the library's II, div 𝕊 and div_F. The library's ∇σ is in both: in a frame on the left, contracted with g⁻¹ on the right.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (frame, scene) = (i.frame(), i.scene());
@@ -169,7 +165,6 @@ impl Pointwise for P19 {
             = \langle\overline{\mathrm{II}},\sigma|_F\rangle",
         sides: "Left: II on a frame. Right: the library's II‾ with the tangential part of g⁻¹. II itself is pinned down by D03 and D04.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let scene = i.scene();

@@ -92,7 +92,6 @@ impl Pointwise for P08 {
             \dot n = -\tfrac12\sigma(n,n)\,n - \sum_i\sigma(n,\tau_i)\,\tau_i",
         sides: "Left: the library's normal of g + tσ, differentiated in t. Right: σ on a frame at t = 0.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (moving, base, sigma) = (i.moving0(), i.still0(), i.sigma0());
@@ -134,7 +133,6 @@ impl Pointwise for P09 {
         statement: r"0 = \sigma(\tau_j,\tau_i) + g(\tau_j,\dot\tau_i) + g(\dot\tau_j,\tau_i)",
         sides: "The frame is made by Gram and Schmidt in g + tσ and differentiated in t; σ is the given one.",
     };
-    const ROOTS: u32 = 6;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let (sigma, g): (Mat<S::Base, N>, Mat<S::Base, N>) = (i.sigma0(), i.still0().g);

@@ -22,8 +22,6 @@ impl Pointwise for P02 {
             in t. Right: traces with g⁻¹ and normals. Both use the volume forms, the left their change and the right their \
             values, which are checked on the reference simplex: minors of g by elimination.",
     };
-    // ω, ω_F with its normal and ω_S, once for dφ and once for the faces of the reference simplex.
-    const ROOTS: u32 = 7;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         values(i).into_iter().chain(rates(i)).collect()

@@ -70,7 +70,6 @@ impl Pointwise for D13 {
         sides: "Left and right: two metrics and two σ that agree on vectors tangent to F and nowhere else; the trace \
             over F with the tangential part of g⁻¹.",
     };
-    const ROOTS: u32 = 8;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);
@@ -247,7 +246,6 @@ impl Pointwise for M20 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[2, 3, 4];
     const OVER: Over = Over::Integers;
-    const ROOTS: u32 = D13::ROOTS;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         D13::equations::<S, N>(i)

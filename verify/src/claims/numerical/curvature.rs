@@ -56,7 +56,6 @@ impl Pointwise for N01 {
     };
     const OVER: Over = Over::Oracle;
     const DIMENSIONS: &'static [usize] = &[2];
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let x = i.position();
@@ -79,7 +78,6 @@ impl Pointwise for N02 {
     };
     const OVER: Over = Over::Oracle;
     const DIMENSIONS: &'static [usize] = &[3];
-    const ROOTS: u32 = 0;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let x = i.position();

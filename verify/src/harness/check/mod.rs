@@ -1,18 +1,23 @@
 //! A claim in one dimension by one method, as data, and how it is run.
 
 mod budget;
+mod integrals;
 mod meshes;
 mod numbers;
+mod programs;
 
 pub use budget::{Budget, Cases, has};
+pub use integrals::Integrals;
 pub use meshes::OnMeshes;
 pub use numbers::OnNumbers;
+pub use programs::OnPrograms;
 
 use super::case::Key;
 use super::entry::Entry;
 use super::judgement::Method;
 use super::record::{Excuses, Record};
-use super::scalar::Ground;
+use super::scalar::Drawn;
+use super::tally::Tally;
 use crate::exact::Fp;
 
 /// One claim in one dimension by one method: one entry of the report.
@@ -39,8 +44,10 @@ pub type Catalogue = Vec<Check>;
 pub enum Kind {
     /// Floating point numbers.
     Real(OnNumbers<f64>),
-    /// Elements of the prime field.
-    Exact(OnNumbers<Fp>),
+    /// Elements of two prime fields, of which integrals are made.
+    Integrals(Integrals),
+    /// Elements of two prime fields, over which recorded programs are run.
+    Programs(OnPrograms),
     /// Fields on meshes.
     Mesh(OnMeshes),
 }
@@ -50,7 +57,8 @@ impl Check {
     pub fn cases(&self, budget: &Budget) -> usize {
         match &self.kind {
             Kind::Real(check) => check.cases.of(budget),
-            Kind::Exact(check) => check.cases.of(budget),
+            Kind::Integrals(check) => check.cases.of(budget),
+            Kind::Programs(check) => check.cases.of(budget),
             Kind::Mesh(check) => check.settings(self.dimension, budget.quick).len(),
         }
     }
@@ -58,12 +66,19 @@ impl Check {
     /// Does all its cases.
     pub fn run(&self, budget: &Budget) -> Entry {
         let (key, cases) = (self.key(budget), self.cases(budget));
-        let (tally, scalar) = match &self.kind {
-            Kind::Real(check) => (check.run(key, cases, &budget.formulas), f64::NAME),
-            Kind::Exact(check) => (check.run(key, cases, &budget.formulas), Fp::NAME),
-            Kind::Mesh(check) => (check.run(key, budget.quick, &budget.formulas), f64::NAME),
+        let finish =
+            |tally: Tally, scalar| tally.finish(self.record, self.dimension, scalar, self.method);
+        let exactly = |(tally, bound, chance)| Entry {
+            bound: Some(bound),
+            false_accept_log2: Some(chance),
+            ..finish(tally, Fp::NAME)
         };
-        let mut entry = tally.finish(self.record, self.dimension, scalar, self.method);
+        let mut entry = match &self.kind {
+            Kind::Real(check) => finish(check.run(key, cases, &budget.formulas), f64::NAME),
+            Kind::Mesh(check) => finish(check.run(key, budget.quick, &budget.formulas), f64::NAME),
+            Kind::Integrals(check) => exactly(check.run(key, cases, &budget.formulas)),
+            Kind::Programs(check) => exactly(check.run(key, cases, &budget.formulas)),
+        };
         entry.one_method = self.excuses.one_method.map(str::to_owned);
         entry.few_cases = self.excuses.few_cases.map(str::to_owned);
         entry

@@ -4,7 +4,7 @@ use super::budget::Cases;
 use crate::harness::case::Key;
 use crate::harness::equation::Equation;
 use crate::harness::judgement::Judgement;
-use crate::harness::scalar::Ground;
+use crate::harness::scalar::Drawn;
 use crate::harness::tally::{Case, Tally};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -26,18 +26,30 @@ pub struct OnNumbers<B> {
 }
 
 /// A case whose roots all exist.
-struct Drawn<B> {
+struct Usable<B> {
     equations: Vec<Equation<B>>,
     numbers: Vec<B>,
     /// How many draws before it lacked a root.
     spoilt: usize,
 }
 
-impl<B: Ground> OnNumbers<B> {
+impl<B: Drawn> OnNumbers<B> {
     /// Does so many cases, each with randomness of its own.
     pub(super) fn run(&self, first: Key<'_>, cases: usize, formulas: &Formulas) -> Tally {
         let mut tally = Tally::new(self.judgement);
-        for number in 0..cases {
+        self.add_to(&mut tally, first, cases, formulas);
+        tally
+    }
+
+    /// Adds so many cases; false if one of them does not hold.
+    pub(super) fn add_to(
+        &self,
+        tally: &mut Tally,
+        first: Key<'_>,
+        cases: usize,
+        formulas: &Formulas,
+    ) -> bool {
+        for number in first.case..first.case + cases {
             let case = Case {
                 number,
                 ..Case::default()
@@ -49,28 +61,28 @@ impl<B: Ground> OnNumbers<B> {
             let Some(drawn) = self.draw(&mut key.runner(), formulas) else {
                 let what = "no draw had all the roots that the claim takes";
                 tally.fail(&case, what.to_owned());
-                break;
+                return false;
             };
             tally.redrawn(drawn.spoilt);
             if !tally.add(&case, &drawn.equations) {
                 if self.shrinks {
                     tally.shrunk(self.shrink(drawn.numbers, formulas));
                 }
-                break;
+                return false;
             }
         }
-        tally
+        true
     }
 
     /// Draws until all roots exist. None if they never do.
-    fn draw(&self, runner: &mut TestRunner, formulas: &Formulas) -> Option<Drawn<B>> {
+    fn draw(&self, runner: &mut TestRunner, formulas: &Formulas) -> Option<Usable<B>> {
         let strategy = proptest::collection::vec(B::number(), self.count);
         for spoilt in 0..=B::REDRAWS {
             let tree = strategy.new_tree(runner);
             let numbers = tree.expect("a list of one length is drawn").current();
             let equations = (self.equations)(&numbers, formulas);
             if B::REDRAWS == 0 || !equations.iter().any(Equation::is_poisoned) {
-                return Some(Drawn {
+                return Some(Usable {
                     equations,
                     numbers,
                     spoilt,

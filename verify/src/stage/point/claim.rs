@@ -1,10 +1,10 @@
 //! Claims that hold at a point: one body for floating point numbers and for the prime field.
 
 use super::instance::Instance;
-use crate::exact::Fp;
+use crate::exact::Recorded;
 use crate::harness::{
-    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, Record, Timed,
-    has,
+    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, OnPrograms,
+    Record, Timed, has,
 };
 use num_dual::Dual64;
 use regge_curvature::formulas::Formulas;
@@ -13,11 +13,11 @@ use regge_curvature::jet::Jet1;
 /// The scalars that a pointwise claim runs over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
-    /// Floating point numbers with derivatives, and the prime field.
+    /// Floating point numbers with derivatives, and the prime fields.
     Both,
     /// The same; in floating point numbers it is an oracle, a formula with a source outside this project.
     Oracle,
-    /// Integers only: over the prime field.
+    /// Integers only: over the prime fields.
     Integers,
     /// Inequalities (see [`Equation::at_most`]): not over a field without order.
     Ordered,
@@ -26,7 +26,7 @@ pub enum Over {
 /// One statement that holds at every point, for any jets of the metric.
 ///
 /// The body is written once. Over `Dual64` it differentiates in time through the library's own code; over
-/// `Jet1<Fp, 1>` the same code is exact. Densities are computed by [`Instance::formulas`].
+/// `Jet1<Recorded, 1>` the same code leaves its program, which is exact over prime fields. Densities are computed by [`Instance::formulas`].
 pub trait Pointwise: 'static {
     /// What the page says.
     const RECORD: Record;
@@ -35,8 +35,6 @@ pub trait Pointwise: 'static {
     /// |left − right| over the sum of the terms' magnitudes. Terms are sums of up to N⁴ products through g⁻¹ and
     /// ∂g⁻¹; the instances' condition numbers are below 10², so that rounding is amplified by less than 10⁴.
     const TOLERANCE: f64 = 1e-11;
-    /// How many roots the body takes, of volumes, normals and frames.
-    const ROOTS: u32 = 3;
     /// By which scalars.
     const OVER: Over = Over::Both;
     /// Why there is one method only.
@@ -44,17 +42,6 @@ pub trait Pointwise: 'static {
 
     /// The equations at one instance.
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>>;
-}
-
-/// A bound of the degree of a claim in the instance's numbers, cleared of denominators and roots.
-///
-/// g has degree 2 in the numbers drawn, so that det g and the numerators of g⁻¹ have degree ≤ 2N. A term of a
-/// claim contains g⁻¹ at most ten times and twenty other factors of degree ≤ 2, its rate of change no more than
-/// twice as much: the degree is ≤ 2 · (10 · 2N + 20 · 2) · 4 when both sides are brought to one denominator. Each
-/// square root doubles the degree (the product over its two signs), and the draws that have the root are half of
-/// all draws, which doubles the chance once more.
-fn degree_bound(dimension: usize, roots: u32) -> f64 {
-    f64::from(8 * (20 * dimension as u32 + 40)) * 4f64.powi(roots as i32)
 }
 
 /// So many instances in each of four dimensions.
@@ -92,11 +79,12 @@ pub fn add<C: Pointwise, const N: usize>(all: &mut Catalogue) {
         all.push(of_claim::<C>(N, method, Kind::Real(check)));
     }
     if const { has(C::DIMENSIONS, N) && !matches!(C::OVER, Over::Ordered) } {
-        let judgement = Judgement::Exact {
-            degree: degree_bound(N, C::ROOTS),
+        let check = OnPrograms {
+            cases: over_all(EXACT, C::DIMENSIONS),
+            groups: groups::<N>,
+            equations: equations::<C, Jet1<Recorded, 1>, N>,
         };
-        let check = on_numbers::<C, Jet1<Fp, 1>, N>(EXACT, judgement);
-        all.push(of_claim::<C>(N, Method::Exact, Kind::Exact(check)));
+        all.push(of_claim::<C>(N, Method::Exact, Kind::Programs(check)));
     }
 }
 
@@ -123,6 +111,11 @@ fn on_numbers<C: Pointwise, S: Timed, const N: usize>(
         equations: equations::<C, S, N>,
         shrinks: true,
     }
+}
+
+/// What the numbers of an instance are.
+fn groups<const N: usize>() -> Vec<String> {
+    Instance::<Dual64, N>::groups()
 }
 
 /// What the harness calls: all that is compiled for each claim, scalar and dimension.

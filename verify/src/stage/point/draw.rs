@@ -9,6 +9,10 @@ use regge_curvature::scalar::Field;
 pub(super) struct Source<'a, B> {
     numbers: Option<&'a [B]>,
     taken: usize,
+    /// What the next numbers are.
+    name: &'static str,
+    /// What all were, where they are only counted.
+    groups: Vec<String>,
 }
 
 impl<'a, B: Ground> Source<'a, B> {
@@ -16,6 +20,8 @@ impl<'a, B: Ground> Source<'a, B> {
         Self {
             numbers: Some(numbers),
             taken: 0,
+            name: "",
+            groups: Vec::new(),
         }
     }
 
@@ -23,29 +29,51 @@ impl<'a, B: Ground> Source<'a, B> {
     pub fn counting() -> Self {
         Self {
             numbers: None,
-            taken: 0,
+            ..Self::new(&[])
         }
     }
 
-    pub fn taken(&self) -> usize {
-        self.taken
+    /// By name, of a source that counts.
+    pub fn groups(self) -> Vec<String> {
+        self.groups
+    }
+
+    /// The next numbers are of this.
+    pub fn of(&mut self, name: &'static str) -> &mut Self {
+        self.name = name;
+        self
     }
 
     pub fn next(&mut self) -> B {
-        let number = self.numbers.map_or(B::one(), |n| n[self.taken]);
+        self.derivative("")
+    }
+
+    fn derivative(&mut self, order: &str) -> B {
+        let Some(numbers) = self.numbers else {
+            self.groups.push(format!("{order}{}", self.name));
+            return B::one();
+        };
         self.taken += 1;
-        number
+        numbers[self.taken - 1]
     }
 
     pub fn jet1<const N: usize>(&mut self) -> Jet1<B, N> {
         Jet1 {
             value: self.next(),
-            d: std::array::from_fn(|_| self.next()),
+            d: std::array::from_fn(|_| self.derivative("∂")),
         }
     }
 
     pub fn jet2<const N: usize>(&mut self) -> Jet2<B, N> {
-        Jet2::from_numbers(|| self.next())
+        let mut seen = 0;
+        Jet2::from_numbers(|| {
+            seen += 1;
+            self.derivative(match seen {
+                1 => "",
+                k if k <= N + 1 => "∂",
+                _ => "∂²",
+            })
+        })
     }
 }
 
@@ -64,6 +92,7 @@ pub(super) fn tensor<B: Ground, const N: usize>(source: &mut Source<'_, B>) -> M
 /// A metric with the value A Aᵀ + ½ δ: its eigenvalues lie between ½ and N² + ½.
 pub(super) fn metric<B: Ground, const N: usize>(source: &mut Source<'_, B>) -> Mat<Jet2<B, N>, N> {
     let mut g = tensor(source);
+    // (In the name of the tensor itself: g is of degree two in A.)
     let a = Mat::<B, N>::from_fn(|_, _| source.next());
     for i in 0..N {
         for j in 0..N {
@@ -81,7 +110,13 @@ pub(super) fn metric<B: Ground, const N: usize>(source: &mut Source<'_, B>) -> M
 pub(super) fn field<S: Timed, const N: usize>(
     source: &mut Source<'_, S::Base>,
 ) -> Vector<Jet1<S, N>, N> {
-    Vector::from_fn(|_, _| vary1(source.jet1(), source.jet1()))
+    let name = source.name;
+    let field = Vector::from_fn(|_, _| {
+        let (still, rate) = (source.of(name).jet1(), source.of("rates").jet1());
+        vary1(still, rate)
+    });
+    source.of(name);
+    field
 }
 
 /// |∂_k φ|; NaN in a field without order, where no slope is then less than another.

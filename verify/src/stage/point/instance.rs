@@ -44,9 +44,14 @@ pub struct Instance<S: Timed, const N: usize> {
 impl<S: Timed, const N: usize> Instance<S, N> {
     /// How many numbers make an instance.
     pub fn count() -> usize {
+        Self::groups().len()
+    }
+
+    /// What each of these numbers is: `∂σ` for a first derivative of σ, `rates` for those of vector fields.
+    pub fn groups() -> Vec<String> {
         let mut source = Source::counting();
         Self::draw(&mut source, &PAPER);
-        source.taken()
+        source.groups()
     }
 
     /// The instance made of these numbers, [`Instance::count`] of them.
@@ -56,23 +61,23 @@ impl<S: Timed, const N: usize> Instance<S, N> {
     }
 
     fn draw(source: &mut Source<'_, S::Base>, formulas: &Formulas) -> Self {
-        let g: Mat<Jet2<S::Base, N>, N> = draw::metric(source);
-        let sigma = draw::tensor(source);
+        let g: Mat<Jet2<S::Base, N>, N> = draw::metric(source.of("g"));
+        let sigma = draw::tensor(source.of("σ"));
         let moving_g = g.zip_map(&sigma, vary2::<S, N>);
-        let phi: Jet2<S::Base, N> = draw::level_function(source);
+        let phi: Jet2<S::Base, N> = draw::level_function(source.of("φ"));
         Self {
             g,
             sigma,
             moving_g,
             phi,
-            fields: [draw::field(source), draw::field(source)],
-            v: source.jet2(),
-            alpha: Vector::from_fn(|_, _| source.jet1()),
-            nu_bar: draw::other_face(source, &phi),
-            nu_rate: Vector::from_fn(|_, _| source.next()),
-            seeds: draw::transversal(source, &phi),
-            other: lower(&draw::metric(source)),
-            spare: std::array::from_fn(|_| source.next()),
+            fields: ["X", "Y"].map(|name| draw::field(source.of(name))),
+            v: source.of("v").jet2(),
+            alpha: Vector::from_fn(|_, _| source.of("α").jet1()),
+            nu_bar: draw::other_face(source.of("ν̄"), &phi),
+            nu_rate: Vector::from_fn(|_, _| source.of("ν̇").next()),
+            seeds: draw::transversal(source.of("τ"), &phi),
+            other: lower(&draw::metric(source.of("g̃"))),
+            spare: std::array::from_fn(|_| source.of("x").next()),
             formulas: *formulas,
         }
     }

@@ -1,4 +1,4 @@
-//! Polynomial fields on simplices over the prime field, and exact integrals of what is made of them.
+//! Polynomial fields on simplices over the prime fields, and exact integrals of what is made of them.
 //!
 //! The metric is g = LLᵀ with L unipotent and affine, which is curved and has det g = 1; v = (∏_F q_F)² w, q_F = ν·g⁻¹ν,
 //! clears the denominators. Every integrand is then a polynomial and is integrated exactly over F_p.
@@ -8,4 +8,4 @@ mod fields;
 mod integrals;
 
 pub use claim::{ByParts, add};
-pub use integrals::{Exactly, OnFace, add_up, poisoned};
+pub use integrals::{Exactly, OnFace, add_up, poison, poisoned};

@@ -13,7 +13,6 @@ impl Pointwise for Laplacian {
         statement: r"\Delta v = \operatorname{Tr}\nabla\nabla v",
         sides: "Left: the divergence of dv. Right: the trace of the library's Hessian.",
     };
-    const ROOTS: u32 = 0;            // how many square roots the body takes
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let still = i.still();
