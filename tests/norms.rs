@@ -4,7 +4,9 @@
 
 mod common;
 mod convergence;
+mod domains;
 mod norm;
+mod norm_domains;
 mod norm_iterative;
 mod oracle_norms;
 mod quadrature_order;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """regge beside NGSolve and ngsdiffgeo, on the same meshes, in one run.
 
-    python3 benches/peer/compare.py [--venv DIR] [--only functional,accuracy,table1,norm] [--degrees 0,1,2] [--threads 2]
+    python3 benches/peer/compare.py [--venv DIR] [--only functional,accuracy,table1,norm,domains] [--degrees 0,1,2] [--threads 2]
 
 Builds our programs, makes a virtual environment with `ngsolve` and `ngsdiffgeo` from PyPI (if it is not there), and
 prints a table for each comparison, ours and the peer's figures measured one after the other. Leave the machine alone
@@ -19,7 +19,10 @@ import venv
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PARTS = ("functional", "accuracy", "table1", "norm")
+PARTS = ("functional", "accuracy", "table1", "norm", "domains")
+# Shapes with Netgen's largest edge.
+DOMAINS = (("fichera", 0.12), ("fichera", 0.09), ("ball", 0.095), ("ball", 0.07), ("holes", 0.12), ("torus", 0.11))
+GRAPH = 'dimension = 3\ngraph = "(x^2 + y^2 + z^2)/2 - (x^4 + y^4 + z^4)/12"\n'
 
 
 def run(command):
@@ -128,6 +131,29 @@ def norm(ours, regge, peer, directory, degrees):
         print(f"{row['error']:.4e} {other['norm']:.4e}")
 
 
+def domains(regge, peer, directory, degrees):
+    """Meshes that Netgen makes, read by both."""
+    print("\nH⁻² error on unstructured meshes, N = 3: ours is the whole command, with reading and interpolation")
+    print(" r  domain   tetrahedra   seconds: ours   functional + solve: peer   ratio   GB: ours   peer   ratio", end="")
+    print("   steps: ours   peer   norm: ours     peer")
+    metric = Path(directory) / "graph.toml"
+    metric.write_text(GRAPH)
+    maker = peer[0], ROOT / "benches" / "peer" / "domains.py"
+    for shape, size in DOMAINS:
+        mesh = Path(directory) / f"{shape}-{size}.json"
+        cells = run([*maker, shape, size, mesh])[0]["cells"]
+        for r in degrees:
+            report = Path(directory) / "report.json"
+            arguments = ["--mesh", mesh, "--metric", metric, "--degree", r, "--quadrature", 2 * (r + 2)]
+            _, seconds, memory = run([regge, "curvature", *arguments, "--norm", "hm2", "--json", report])
+            ours = json.loads(report.read_text())["hm2"]
+            other, _, peak = run([*peer, "norm", mesh, r])
+            theirs = other["functional"] + other["solve"]
+            print(f"{r:2}  {shape:8} {cells:10} {seconds:15.1f} {other['functional']:12.1f} + {other['solve']:<10.1f}", end="")
+            print(f"{theirs / seconds:8.1f} {memory / 1e9:10.2f} {peak / 1e9:6.2f} {peak / memory:7.1f}", end="")
+            print(f"{ours['steps'] or ours['solver']:>14} {other['steps']:6}   {ours['error']:.6e} {other['norm']:.6e}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--venv", type=Path, default=ROOT / "target" / "peer")
@@ -140,7 +166,7 @@ def main():
     chosen = arguments.only.split(",")
     if unknown := [part for part in chosen if part not in PARTS]:
         parser.error(f"no such part: {', '.join(unknown)}")
-    ours, regge = build({"table1", "norm"} & set(chosen))
+    ours, regge = build({"table1", "norm", "domains"} & set(chosen))
     peer = peer_in(arguments.venv)
     with tempfile.TemporaryDirectory() as directory:
         if "functional" in chosen:
@@ -151,6 +177,8 @@ def main():
             table1(ours, regge, peer, directory, degrees)
         if "norm" in chosen:
             norm(ours, regge, peer, directory, degrees)
+        if "domains" in chosen:
+            domains(regge, peer, directory, degrees)
 
 
 if __name__ == "__main__":

@@ -25,6 +25,7 @@ now = time.process_time if THREADS == 1 else time.perf_counter
 def load(path):
     """The mesh in a file, and for each of its vertices whether it is inside."""
     data = json.load(open(path))
+    data.setdefault("points", data.get("vertices"))
     dim = len(data["points"][0])
     mesh = NetgenMesh(dim=dim)
     points = [mesh.Add(MeshPoint(Pnt(*x, *[0.0] * (3 - dim)))) for x in data["points"]]

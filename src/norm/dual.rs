@@ -35,6 +35,11 @@ pub trait DualNorm<const N: usize>: std::fmt::Debug + Send + Sync {
     /// What solves the problem, as reports call it.
     fn solver(&self) -> &'static str;
 
+    /// How many unknowns the problem has, clamped ones included: the test functions, if the norm has no others.
+    fn unknowns(&self) -> usize {
+        self.space().len()
+    }
+
     /// The function that represents the functional with this load. An iterative solver tells `watch` of each of its steps.
     ///
     /// # Errors

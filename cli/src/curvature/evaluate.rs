@@ -56,7 +56,7 @@ pub fn report<const N: usize>(
     let mut report = head(given, request, &sums);
     if let Some((name, norm)) = &norm {
         phase("solving for the norm");
-        report.norms.insert(name, norm.of(&sums)?);
+        report.norms.insert(name, norm.of(&sums, phase)?);
     }
     if each || request.table {
         phase("projecting the curvature");

@@ -1,13 +1,13 @@
 //! ‖(Rω)_dist(g_h) − (Rω)(g)‖ in a norm of the library's table.
 
-use super::given::{Given, Origin};
+use super::given::{Given, Origin, Phase};
 use super::report::{NormError, QuadratureUsed};
 use super::settle::{LOAD_SETTLES, SUMS_SETTLE, Settled};
 use super::smooth::{check_stated, stated_curvature};
 use super::sums::Evaluation;
 use super::{CurvatureError, failed, input};
 use regge_curvature::functional::{Rules, smooth_curvature};
-use regge_curvature::norm::{DualNorm, Kind, Setting, metric_values};
+use regge_curvature::norm::{DualNorm, Kind, Setting, Step, metric_values};
 use regge_curvature::quadrature::Rule;
 
 /// The largest N that norms are for.
@@ -79,14 +79,32 @@ impl<'a, const N: usize> Norm<'a, N> {
         }
     }
 
-    /// The norm of what was evaluated.
-    pub fn of(&self, sums: &Settled<Evaluation>) -> Result<NormError, CurvatureError> {
+    /// The norm of what was evaluated; `phase` is told of an iteration's steps.
+    pub fn of(
+        &self,
+        sums: &Settled<Evaluation>,
+        phase: Phase<'_>,
+    ) -> Result<NormError, CurvatureError> {
         let load = sums.value.load.as_ref();
         let load = load.expect("a load is evaluated where there is a norm");
+        let mut last = None;
+        let mut watch = |step: Step| {
+            phase(&format!(
+                "solving for the norm, step {}: residual {:.1e}",
+                step.number, step.residual
+            ));
+            last = Some(step);
+        };
+        let representative = self.norm.represent(load, &mut watch).map_err(failed)?;
+        let value = self.norm.measure(&representative, None).map_err(failed)?;
         Ok(NormError {
             symbol: self.kind.symbol,
-            error: self.norm.of(load, None).map_err(failed)?.total,
+            error: value.total,
             degree: self.degree,
+            solver: self.norm.solver(),
+            steps: last.map(|step| step.number),
+            residual: last.map(|step| step.residual),
+            unknowns: self.norm.unknowns(),
             quadrature: QuadratureUsed {
                 // The change of an evaluation is that of its load in units of what counts for sums.
                 change: sums

@@ -146,6 +146,14 @@ pub struct NormError {
     pub error: f64,
     /// The degree of the norm's test functions: r + 2 for H⁻².
     pub degree: usize,
+    /// What solved for it: `cholesky`, a factorisation, or `cg`, conjugate gradients without a matrix.
+    pub solver: &'static str,
+    /// How many steps it took, if it is iterative.
+    pub steps: Option<usize>,
+    /// The residual of the last step over the first one, in the norm of the preconditioner.
+    pub residual: Option<f64>,
+    /// How many unknowns there were, clamped ones included.
+    pub unknowns: usize,
     /// The quadrature of the functionals.
     pub quadrature: QuadratureUsed,
 }

@@ -109,6 +109,26 @@ impl<const N: usize> Hhj<N> {
         self.shapes[cell].energy(&self.element)
     }
 
+    /// A solver's error with the cell that is most likely its reason: the one that is flattest for its size.
+    pub(in crate::norm) fn blame(&self, error: Error) -> Error {
+        let Error::Solver(reason) = error else {
+            return error;
+        };
+        let flatness = |cell: usize| {
+            let shape = &self.shapes[cell];
+            let heights = shape.faces.iter().map(|face| face.height.abs());
+            // |J|, from which the longest edge is not far.
+            heights.fold(f64::INFINITY, f64::min) / shape.jacobian.norm()
+        };
+        let cells = (0..self.shapes.len()).map(|cell| (cell, flatness(cell)));
+        let worst = cells.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let (cell, flatness) = worst.expect("a mesh has cells");
+        let vertices = self.mesh().vertices(N, cell);
+        Error::Solver(format!(
+            "{reason}; the flattest cell is number {cell} with the vertices {vertices:?}, its height {flatness:.1e} of its size"
+        ))
+    }
+
     /// σ at points of a cell, Cartesian components; symmetric.
     pub fn moment(
         &self,

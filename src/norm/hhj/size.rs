@@ -26,6 +26,11 @@ impl Size {
         self.simplices.len() - 1
     }
 
+    /// p.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
     /// How many cells.
     pub fn cells(&self) -> usize {
         self.simplices[self.dimension()]

@@ -80,7 +80,12 @@ pub(super) fn solve<R>(
         axpy(&mut r, -alpha, &q);
         precondition(&r, &mut z, room);
         let before = std::mem::replace(&mut square, dot(&r, &z));
-        let residual = (square.max(0.0) / first).sqrt();
+        if square < 0.0 {
+            return Err(Error::Solver(format!(
+                "conjugate gradients broke down in step {step}: the preconditioner is not positive definite"
+            )));
+        }
+        let residual = (square / first).sqrt();
         watch(Step {
             number: step,
             residual,

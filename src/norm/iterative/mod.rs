@@ -2,6 +2,7 @@
 
 mod batch;
 mod cg;
+mod chebyshev;
 mod coarse;
 mod cycle;
 mod jacobi;
@@ -13,17 +14,21 @@ use super::hhj::{Hhj, Size};
 use super::solver::BiharmonicSolver;
 use crate::Error;
 use crate::mesh::Mesh;
-use coarse::{Coarse, lattice::Lattice};
-use cycle::{Cycle, Room};
+use chebyshev::Room;
+use coarse::Coarse;
+pub(super) use coarse::lattice::Lattice;
+use cycle::Cycle;
 use jacobi::BlockJacobi;
 use operator::Operator;
 use skeleton::Skeleton;
 use std::sync::Arc;
 
-/// Conjugate gradients for meshes that [`Mesh::cube`] made, with inner vertices moved or not. Nothing of the
-/// operator is stored; its bits do not depend on the number of threads.
+/// Conjugate gradients for meshes with points in the plane and in space. Nothing of the operator is stored; its bits do
+/// not depend on the number of threads.
 ///
-/// The preconditioner smooths by the inverse diagonal blocks, one a simplex, corrects in cubic splines and smooths again.
+/// The preconditioner smooths by the inverse diagonal blocks, one a simplex, corrects in cubic splines and smooths again. On
+/// meshes that [`Mesh::cube`] made, inner vertices moved or not, the splines' form is inverted by one transform, on others by
+/// a cycle over coarser and coarser splines.
 #[derive(Debug)]
 pub struct Iterative<const N: usize> {
     cycle: Cycle<N>,
@@ -33,14 +38,14 @@ pub struct Iterative<const N: usize> {
 impl<const N: usize> Iterative<N> {
     /// Is it for this mesh?
     pub fn suits(mesh: &Mesh<N>) -> bool {
-        (2..=3).contains(&N) && Lattice::of(mesh).is_some()
+        (2..=3).contains(&N) && mesh.points().is_some()
     }
 
     /// Sets up the preconditioner for a discretisation, which is taken as it is or shared. It will iterate to
     /// [`Target::DEFAULT`].
     ///
     /// # Errors
-    /// If the mesh is not a cube's or N > 3, or a block of the operator is not positive definite.
+    /// If the mesh has no points or N > 3, or a block of the operator is not positive definite.
     pub fn new(hhj: impl Into<Arc<Hhj<N>>>) -> Result<Self, Error> {
         Self::with_target(hhj, Target::DEFAULT)
     }
@@ -52,7 +57,8 @@ impl<const N: usize> Iterative<N> {
     pub fn with_target(hhj: impl Into<Arc<Hhj<N>>>, target: Target) -> Result<Self, Error> {
         let hhj = hhj.into();
         if !Self::suits(hhj.mesh()) {
-            let reason = "the iterative solver is for the cube's mesh, inner vertices moved or not, N = 2 or 3";
+            let reason =
+                "the iterative solver is for meshes in the plane and in space that have points";
             return Err(Error::Input(reason.into()));
         }
         let skeleton = Arc::new(Skeleton::new(hhj.mesh(), hhj.space().degree()));
@@ -63,7 +69,7 @@ impl<const N: usize> Iterative<N> {
     }
 
     fn operator(&self) -> &Operator<N> {
-        &self.cycle.operator
+        &self.cycle.fine.operator
     }
 }
 
@@ -96,7 +102,7 @@ impl<const N: usize> Iterative<N> {
     /// If r or z has not [`Iterative::unknowns`] entries.
     pub fn precondition(&self, r: &[f64], z: &mut [f64]) {
         assert!(r.len() == self.unknowns() && z.len() == r.len());
-        self.cycle.apply(r, z, &mut Room::new(self.operator()));
+        self.cycle.apply(r, z, &mut Room::new(&self.cycle.fine));
     }
 }
 
@@ -117,13 +123,13 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
         );
         let (operator, skeleton) = (self.operator(), &self.operator().skeleton);
         let mut r = skeleton.gather(self.hhj().mesh(), load);
-        let mut room = Room::new(operator);
-        operator.condense(load, &mut r, room.operator());
+        let mut room = Room::new(&self.cycle.fine);
+        operator.condense(load, &mut r, &mut room.operator);
         let x = cg::solve(
             r,
             self.target,
             &mut room,
-            |p, q, room| operator.apply(p, q, room.operator()),
+            |p, q, room| operator.apply(p, q, &mut room.operator),
             |r, z, room| self.cycle.apply(r, z, room),
             watch,
         )?;
@@ -135,8 +141,9 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
 }
 
 /// The bytes that the iteration takes: inverse blocks in single precision; eight vectors, the load and the solution; a place
-/// for each cell's result. While they are set up the blocks are there in double precision too.
-pub(super) fn memory(size: &Size) -> f64 {
+/// for each cell's result. While they are set up the blocks are there in double precision too, and where the mesh is no cube
+/// with so many faces in ∂Ω the splines' rows.
+pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let [blocks, unknowns, u, outer] = [
         size.blocks(),
         size.unknowns(),
@@ -146,5 +153,6 @@ pub(super) fn memory(size: &Size) -> f64 {
     .map(|count| count as f64);
     let vectors = 8.0 * (8.0 * unknowns + 2.0 * (u + unknowns));
     let set_up = (8.0 * blocks - 64.0 * unknowns).max(0.0);
-    4.0 * blocks + vectors + 8.0 * outer + set_up
+    let splines = boundary.map_or(0.0, |faces| coarse::memory(size, faces));
+    4.0 * blocks + vectors + 8.0 * outer + set_up + splines
 }

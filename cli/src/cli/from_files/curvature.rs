@@ -8,7 +8,7 @@ use super::memory;
 use super::simplices::{SimplexFiles, check_vtu};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use regge_cli::curvature::{
-    Boundary, CurvatureReport, Fields, LARGEST_WITH_NORM, Request, curvature,
+    Boundary, CurvatureReport, Fields, LARGEST_WITH_NORM, NormError, Request, curvature,
 };
 use regge_cli::map::{self, View};
 use regge_cli::{ply, vtu};
@@ -243,9 +243,19 @@ impl Args {
             let unsettled = norm.quadrature.is_unsettled();
             let state = if unsettled { ", NOT settled" } else { "" };
             writeln!(out, "error in {} {:.12e}{state}", norm.symbol, norm.error)?;
+            writeln!(out, "  {}", solved(norm))?;
         }
         Ok(output::show_written(out, &self.outputs())?)
     }
+}
+
+/// What solved for a norm.
+fn solved(norm: &NormError) -> String {
+    let how = match (norm.steps, norm.residual) {
+        (Some(steps), Some(residual)) => format!(", {steps} steps to {residual:.1e}"),
+        _ => String::new(),
+    };
+    format!("by {}, {} unknowns{how}", norm.solver, norm.unknowns)
 }
 
 /// Each piece of a mesh that falls into several.

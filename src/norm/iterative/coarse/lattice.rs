@@ -8,7 +8,7 @@ pub(super) const REACH: f64 = 0.45;
 
 /// `side`^N equal boxes, each cut into N! cells; vertices numbered with the first coordinate running fastest.
 #[derive(Clone, Debug)]
-pub(in crate::norm::iterative) struct Lattice<const N: usize> {
+pub(in crate::norm) struct Lattice<const N: usize> {
     /// How many boxes a side.
     pub side: usize,
     /// The corner with the least coordinates.

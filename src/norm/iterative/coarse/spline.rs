@@ -56,7 +56,7 @@ impl Modes {
     pub fn new(m: usize) -> Result<Self, Error> {
         let clamped = clamped(m);
         let [mass, stiffness, bending] =
-            [values, slopes, bends].map(|basis| clamped.tr_mul(&(gram(m, basis) * &clamped)));
+            pieces().map(|piece| clamped.tr_mul(&(gram(m, piece) * &clamped)));
         let failed = || Error::Solver("the splines' mass matrix is indefinite".into());
         let factor = mass.cholesky().ok_or_else(failed)?.unpack();
         // L⁻¹ K L⁻ᵀ has the eigenvectors Lᵀ v.
@@ -98,8 +98,16 @@ fn clamped(m: usize) -> DMatrix<f64> {
     c
 }
 
-/// ∫₀^m of the products of basis functions, whose pieces are polynomials of degree ≤ 3.
-fn gram(m: usize, basis: fn(f64) -> [f64; 4]) -> DMatrix<f64> {
+/// The integrals over [i, i+1] of products of the four basis functions that live there.
+pub(super) type Piece = [[f64; 4]; 4];
+
+/// Of values, of derivatives and of second derivatives.
+pub(super) fn pieces() -> [Piece; 3] {
+    [values, slopes, bends].map(piece)
+}
+
+/// Of polynomials of degree ≤ 3.
+fn piece(basis: fn(f64) -> [f64; 4]) -> Piece {
     let (points, weights) = gauss_legendre(4);
     let mut piece = [[0.0; 4]; 4];
     for (f, w) in points.into_iter().zip(weights) {
@@ -110,6 +118,11 @@ fn gram(m: usize, basis: fn(f64) -> [f64; 4]) -> DMatrix<f64> {
             }
         }
     }
+    piece
+}
+
+/// ∫₀^m of the products of basis functions.
+fn gram(m: usize, piece: Piece) -> DMatrix<f64> {
     let mut a = DMatrix::zeros(m + 3, m + 3);
     for cell in 0..m {
         for i in 0..4 {

@@ -12,13 +12,35 @@ const ROWS: usize = 16;
 /// The splines' lattice.
 #[derive(Clone, Debug)]
 pub(super) struct Grid<const N: usize> {
-    /// How many coefficients a side: three more than cells.
-    pub side: usize,
+    /// How many coefficients along each axis: three more than cells.
+    pub sides: [usize; N],
     /// The corner with the least coordinates.
     pub lower: Vector<f64, N>,
     /// How many cells to a unit of length, by axis.
     pub density: Vector<f64, N>,
 }
+
+impl<const N: usize> Grid<N> {
+    /// How many coefficients.
+    pub fn len(&self) -> usize {
+        self.sides.iter().product()
+    }
+
+    /// How many coefficients a plane across the last axis.
+    pub fn plane(&self) -> usize {
+        self.len() / self.sides[N - 1]
+    }
+
+    /// The coefficients along an axis that make the splines between two places: the first one, and the one behind the last.
+    pub fn span(&self, axis: usize, from: f64, to: f64) -> (usize, usize) {
+        let cell = |x: f64| (x.max(0.0) as usize).min(self.sides[axis] - 4);
+        let place = |x: f64| (x - self.lower[axis]) * self.density[axis];
+        (cell(place(from) - ROUNDING), cell(place(to) + ROUNDING) + 4)
+    }
+}
+
+/// How far, in cells, rounding may bring a point across a plane between two cells.
+const ROUNDING: f64 = 1e-6;
 
 /// Where a point is in the splines' lattice: what multiplies the rows of four coefficients along the first axis.
 pub(super) struct Stencil<const N: usize> {
@@ -38,11 +60,11 @@ impl<const N: usize> Stencil<N> {
     pub fn new(grid: &Grid<N>) -> Self {
         let mut offsets = [0; ROWS];
         for (row, offset) in offsets.iter_mut().enumerate() {
-            let (mut stride, mut digits) = (grid.side, row);
-            while digits > 0 {
+            let (mut stride, mut digits) = (1, row);
+            for side in &grid.sides[..N - 1] {
+                stride *= side;
                 *offset += digits % 4 * stride;
                 digits /= 4;
-                stride *= grid.side;
             }
         }
         Self {
@@ -63,7 +85,7 @@ impl<const N: usize> Stencil<N> {
         for axis in 0..N {
             let density = grid.density[axis];
             let t = (x[axis] - grid.lower[axis]) * density;
-            let cell = (t.max(0.0) as usize).min(grid.side - 4);
+            let cell = (t.max(0.0) as usize).min(grid.sides[axis] - 4);
             let f = t - cell as f64;
             let value = values(f).map(|x| x as Short);
             let slope = slopes(f).map(|x| (x * density) as Short);
@@ -74,7 +96,7 @@ impl<const N: usize> Stencil<N> {
                 self.cross(axis, count, value, slope);
                 count *= 4;
             }
-            stride *= grid.side;
+            stride *= grid.sides[axis];
         }
         self.first = first;
     }

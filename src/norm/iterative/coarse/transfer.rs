@@ -3,10 +3,10 @@
 //! On each simplex u is the polynomial of degree p through the values of s at the nodes of P_p, û the one of degree p−1 that
 //! fits ∂s/∂n there best. Nodes and normals are those of the mesh as it is, moved or not.
 
-use super::lattice::{Lattice, REACH};
+use super::patch::Patch;
+use super::slabs::Slabs;
 use super::stencil::{Grid, Short, Stencil};
 use crate::linalg::{Vector, apply};
-use crate::mesh::Mesh;
 use crate::norm::hhj::Hhj;
 use crate::norm::hhj::element::conormal;
 use crate::norm::iterative::skeleton::Skeleton;
@@ -21,17 +21,14 @@ const SIMPLICES: usize = 512;
 /// The transfer for one mesh and degree, N ≤ 3.
 #[derive(Clone, Debug)]
 pub(super) struct Transfer<const N: usize> {
-    hhj: Arc<Hhj<N>>,
-    skeleton: Arc<Skeleton>,
-    lattice: Lattice<N>,
-    /// How many spline cells a side of a box.
-    refinement: usize,
-    /// The splines' own lattice.
-    grid: Grid<N>,
+    pub hhj: Arc<Hhj<N>>,
+    pub skeleton: Arc<Skeleton>,
+    /// The splines' lattice.
+    pub grid: Grid<N>,
     /// By dimension of the simplex.
     functionals: Vec<Functional>,
-    /// The first k-simplex of each layer of boxes across the last axis: that of its first vertex.
-    layers: Vec<Vec<usize>>,
+    /// The interior k-simplices by the planes of coefficients that they reach.
+    slabs: Vec<Slabs>,
 }
 
 /// How the unknowns of a k-simplex are made of a function's values and derivatives at points.
@@ -45,86 +42,105 @@ struct Functional {
 }
 
 /// A simplex on which unknowns are made.
-struct Frame<const N: usize> {
-    corners: [Vector<f64, N>; N],
-    normal: Vector<f64, N>,
+pub(super) struct Frame<const N: usize> {
+    pub corners: [Vector<f64, N>; N],
+    pub normal: Vector<f64, N>,
 }
 
 impl<const N: usize> Transfer<N> {
-    pub fn new(
-        hhj: &Arc<Hhj<N>>,
-        skeleton: &Arc<Skeleton>,
-        lattice: Lattice<N>,
-        refinement: usize,
-    ) -> Self {
+    pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>, grid: Grid<N>) -> Self {
         let p = hhj.space().degree();
-        Self {
+        let mut transfer = Self {
             hhj: hhj.clone(),
             skeleton: skeleton.clone(),
-            refinement,
-            grid: Grid {
-                side: lattice.side * refinement + 3,
-                lower: lattice.lower,
-                density: lattice.steps.map(|step| refinement as f64 / step),
-            },
+            grid,
             functionals: (0..N)
                 .map(|k| Functional::new::<N>(k, p, skeleton))
                 .collect(),
-            layers: (0..N)
-                .map(|k| layers(hhj.mesh(), k, lattice.side))
-                .collect(),
-            lattice,
-        }
+            slabs: Vec::new(),
+        };
+        transfer.slabs = (0..N).map(|k| transfer.sorted(k)).collect();
+        transfer
+    }
+
+    /// The interior k-simplices by the planes that they reach.
+    fn sorted(&self, k: usize) -> Slabs {
+        let mesh = self.hhj.mesh();
+        let span = |simplex: usize| {
+            let reached = self.reached(&self.corners(k, simplex));
+            (simplex as u32, reached.low[N - 1], reached.high[N - 1])
+        };
+        let simplices = mesh.interior(k).filter(|_| self.skeleton.widths[k] > 0);
+        Slabs::new(self.grid.sides[N - 1], simplices.map(span).collect())
     }
 
     /// factor · Pᵀ r.
-    ///
-    /// Layers of simplices that are far apart touch different coefficients and are taken at the same time.
     pub fn restrict(&self, r: &[f64], factor: f64) -> Vec<Short> {
-        let plane = self.grid.side.pow(N as u32 - 1);
-        let box_planes = self.refinement * plane;
-        // A layer of boxes reaches from one box below it to less than this many boxes above that.
-        let apart = (2.0 + REACH + 3.0 / self.refinement as f64) as usize + 1;
-        // One box of planes before the first, for the first layer to reach into.
-        let mut padded = vec![0.0; box_planes + plane * self.grid.side];
-        for colour in 0..apart.min(self.lattice.side) {
-            let chunks = &mut padded[colour * box_planes..];
-            for_chunks(chunks, apart * box_planes, |i, chunk| {
-                let layer = colour + i * apart;
-                if layer < self.lattice.side {
-                    let shift = (box_planes, layer * box_planes);
-                    self.restrict_layer(r, factor, layer, chunk, shift);
-                }
+        let plane = self.grid.plane();
+        let mut spline = vec![0.0; self.grid.len()];
+        for (k, slabs) in self.slabs.iter().enumerate() {
+            slabs.add_up(&mut spline, plane, |simplices, chunk, first| {
+                self.restrict_some(r, factor, k, simplices, chunk, first * plane);
             });
         }
-        padded.split_off(box_planes)
+        spline
     }
 
-    /// Coefficient i is at i + shift.0 − shift.1 in the chunk.
-    fn restrict_layer(
+    /// Coefficient i is at i − shift in the chunk.
+    fn restrict_some(
         &self,
         r: &[f64],
         factor: f64,
-        layer: usize,
+        k: usize,
+        simplices: &[u32],
         chunk: &mut [Short],
-        shift: (usize, usize),
+        shift: usize,
     ) {
-        let mut stencil = Stencil::new(&self.grid);
-        for (k, functional) in self.functionals.iter().enumerate() {
-            let simplices = self.layers[k][layer]..self.layers[k][layer + 1];
-            for simplex in simplices.filter(|&s| self.hhj.mesh().is_interior(k, s)) {
-                let first = self.skeleton.first(k, simplex);
-                let r = &r[first..first + self.skeleton.widths[k]];
-                let frame = self.frame(k, simplex);
-                for q in 0..functional.points.len() {
-                    let (value, gradient) = functional.transposed(q, r, &frame);
-                    stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
-                    stencil.first = stencil.first + shift.0 - shift.1;
-                    let gradient = std::array::from_fn(|i| (factor * gradient[i]) as Short);
-                    stencil.spread((factor * value) as Short, gradient, chunk);
+        let (functional, mut stencil) = (&self.functionals[k], Stencil::new(&self.grid));
+        for simplex in simplices.iter().map(|&s| s as usize) {
+            let first = self.skeleton.first(k, simplex);
+            let r = &r[first..first + self.skeleton.widths[k]];
+            let frame = self.frame(k, simplex);
+            for q in 0..functional.points.len() {
+                let (value, gradient) = functional.transposed(q, r, &frame);
+                stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
+                stencil.first -= shift;
+                let gradient = std::array::from_fn(|i| (factor * gradient[i]) as Short);
+                stencil.spread((factor * value) as Short, gradient, chunk);
+            }
+        }
+    }
+
+    /// The rows of P for a simplex, on a lattice that is a part of the splines': row i is `rows[i·len..]`, `zero` before.
+    pub fn rows(&self, k: usize, simplex: usize, part: &Grid<N>, rows: &mut [Short]) {
+        let (functional, mut stencil) = (&self.functionals[k], Stencil::new(part));
+        let frame = self.frame(k, simplex);
+        let (u, normal) = (functional.values.nrows(), frame.normal);
+        for q in 0..functional.points.len() {
+            stencil.locate(part, &frame.point(functional.points.lambda(q)));
+            for (i, row) in rows.chunks_exact_mut(part.len()).enumerate() {
+                match i.checked_sub(u) {
+                    None => stencil.spread(functional.values[(i, q)] as Short, [0.0; N], row),
+                    Some(beta) => {
+                        let slope = functional.normals[(beta, q)];
+                        let gradient = std::array::from_fn(|i| (slope * normal[i]) as Short);
+                        stencil.spread(0.0, gradient, row);
+                    }
                 }
             }
         }
+    }
+
+    /// The splines that live at some of these points or between them.
+    pub fn reached(&self, points: &[Vector<f64, N>]) -> Patch<N> {
+        let mut patch = Patch::EMPTY;
+        for axis in 0..N {
+            let along = points.iter().map(|x| x[axis]);
+            let low = along.clone().fold(f64::INFINITY, f64::min);
+            let high = along.fold(f64::NEG_INFINITY, f64::max);
+            (patch.low[axis], patch.high[axis]) = self.grid.span(axis, low, high);
+        }
+        patch
     }
 
     /// z += factor · P s.
@@ -157,10 +173,8 @@ impl<const N: usize> Transfer<N> {
         }
     }
 
-    fn frame(&self, k: usize, simplex: usize) -> Frame<N> {
+    pub fn frame(&self, k: usize, simplex: usize) -> Frame<N> {
         let mesh = self.hhj.mesh();
-        let points = mesh.points().expect("a lattice has points");
-        let vertices = mesh.vertices(k, simplex);
         let normal = if k + 1 == N {
             let side = mesh.first_side(k, simplex);
             let shape = &self.hhj.shapes()[side.cell];
@@ -170,9 +184,21 @@ impl<const N: usize> Transfer<N> {
             Vector::zeros()
         };
         Frame {
-            corners: std::array::from_fn(|v| points[vertices[v.min(k)] as usize]),
+            corners: std::array::from_fn(|v| self.corner(k, simplex, v.min(k))),
             normal,
         }
+    }
+
+    /// A vertex of a simplex.
+    fn corner(&self, k: usize, simplex: usize, v: usize) -> Vector<f64, N> {
+        let mesh = self.hhj.mesh();
+        let points = mesh.points().expect("a lattice has points");
+        points[mesh.vertices(k, simplex)[v] as usize]
+    }
+
+    /// The vertices of a simplex.
+    pub fn corners(&self, k: usize, simplex: usize) -> Vec<Vector<f64, N>> {
+        (0..=k).map(|v| self.corner(k, simplex, v)).collect()
     }
 }
 
@@ -274,18 +300,4 @@ fn fit(basis: &Bernstein, points: &Points) -> DMatrix<f64> {
     let gram = a.tr_mul(&a);
     let fitted = gram.lu().solve(&a.transpose());
     fitted.expect("on the nodes of P_p polynomials of degree ≤ p are independent")
-}
-
-/// The first k-simplex of each layer, and the number of all before the one beyond the last.
-fn layers<const N: usize>(mesh: &Mesh<N>, k: usize, side: usize) -> Vec<usize> {
-    let plane = (side + 1).pow(N as u32 - 1);
-    let mut layers = vec![0; side + 1];
-    for simplex in 0..mesh.count(k) {
-        // Simplices are sorted by their vertices, the first of which is the least.
-        let layer = mesh.vertices(k, simplex)[0] as usize / plane;
-        if layer < side {
-            layers[layer + 1] = simplex + 1;
-        }
-    }
-    layers
 }

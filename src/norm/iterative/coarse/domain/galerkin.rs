@@ -1,0 +1,233 @@
+//! The form on the finest lattice: ∫|∇²s|² on the boxes inside Ω, and the discrete form of what P makes of s on the cells that
+//! are not covered by them.
+//!
+//! Cells that reach into the boxes inside count twice there. The sum is equivalent to the discrete form of P s, with constants
+//! that do not depend on the mesh's size, and has stored rows near ∂Ω only.
+
+use super::super::patch::Patch;
+use super::super::slabs::Slabs;
+use super::super::stencil::{Grid, Short};
+use super::super::transfer::Transfer;
+use super::energy::Energy;
+use super::inside::Boxes;
+use super::level::{Kind, Level, Plane};
+use crate::norm::hhj::cell::eliminate;
+use crate::parallel::for_chunks;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
+use nalgebra::DMatrix;
+
+/// What the finest level is made from.
+struct Finest<'a, const N: usize> {
+    transfer: &'a Transfer<N>,
+    boxes: Boxes<N>,
+    energy: Energy,
+    /// The form of a box's splines in units of the box's edge becomes that of the mesh's units.
+    scale: f64,
+    /// The cells that the boxes inside do not cover, by the planes of splines that they reach.
+    near: Vec<u32>,
+}
+
+/// The finest level.
+pub(super) fn finest<const N: usize>(transfer: &Transfer<N>) -> Level<N> {
+    let boxes = Boxes::new(transfer);
+    let edge = 1.0 / transfer.grid.density[0];
+    let mut finest = Finest {
+        transfer,
+        energy: Energy::new::<N>(),
+        scale: edge.powi(N as i32 - 4),
+        near: Vec::new(),
+        boxes,
+    };
+    let cells = 0..transfer.hhj.mesh().cell_count();
+    finest.near = (cells.map(|cell| cell as u32))
+        .filter(|&cell| !finest.covered(cell as usize))
+        .collect();
+    let (kinds, patches) = finest.classify();
+    let mut planes = planes(&transfer.grid.sides, &kinds, &patches);
+    drop(patches);
+    finest.add_boxes(&mut planes);
+    finest.add_cells(&mut planes);
+    let stencil = finest.energy.around.iter().map(|x| x * finest.scale);
+    Level::new(transfer.grid.sides, kinds, planes, stencil.collect())
+}
+
+/// The rows, by planes across the last axis: those of the stored splines.
+pub(super) fn planes<const N: usize>(
+    sides: &[usize; N],
+    kinds: &[Kind],
+    patches: &[Patch<N>],
+) -> Vec<Plane<N>> {
+    let unit: usize = sides[..N - 1].iter().product();
+    let plane = |(kinds, patches): (&[Kind], &[Patch<N>])| {
+        let rows = kinds.iter().zip(patches).enumerate();
+        Plane::new(
+            rows.filter(|(_, (kind, _))| **kind == Kind::Stored)
+                .map(|(site, (_, patch))| (site as u32, *patch)),
+        )
+    };
+    kinds
+        .chunks(unit)
+        .zip(patches.chunks(unit))
+        .map(plane)
+        .collect()
+}
+
+impl<const N: usize> Finest<'_, N> {
+    /// Are all vertices of a cell in boxes inside?
+    fn covered(&self, cell: usize) -> bool {
+        let corners = self.transfer.corners(N, cell);
+        let inside = |corner| {
+            let low = self.transfer.reached(&[corner]).low;
+            self.boxes.inside(&low)
+        };
+        corners.into_iter().all(inside)
+    }
+
+    /// What the rows are, and for the stored ones which splines they couple to.
+    fn classify(&self) -> (Vec<Kind>, Vec<Patch<N>>) {
+        let sides = self.transfer.grid.sides;
+        let whole = Patch::whole(&sides);
+        let mut patches = vec![Patch::EMPTY; whole.len()];
+        for &cell in &self.near {
+            let patch = self
+                .transfer
+                .reached(&self.transfer.corners(N, cell as usize));
+            for site in patch.sites() {
+                patches[whole.position(&site)].join(&patch);
+            }
+        }
+        let kind = |(site, patch): (_, &mut Patch<N>)| {
+            let inside = self.support(&site).filter(|b| self.boxes.inside(b)).count();
+            let touched = !patch.is_empty();
+            if inside > 0 {
+                patch.join(&Patch::around(&site, 3, &sides));
+            }
+            match (touched, inside) {
+                (false, 0) => Kind::Idle,
+                (false, all) if all == 1 << (2 * N) => Kind::Deep,
+                _ => Kind::Stored,
+            }
+        };
+        let kinds = whole.sites().zip(&mut patches).map(kind).collect();
+        (kinds, patches)
+    }
+
+    /// The boxes of the lattice in which a spline lives.
+    fn support(&self, site: &[usize; N]) -> impl Iterator<Item = [usize; N]> + use<N> {
+        let whole = self.boxes.whole;
+        let support = Patch {
+            low: site.map(|i| i.saturating_sub(3)),
+            high: std::array::from_fn(|axis| (site[axis] + 1).min(whole.high[axis])),
+        };
+        support.sites()
+    }
+
+    /// Adds what the boxes inside have for the stored rows.
+    fn add_boxes(&self, planes: &mut [Plane<N>]) {
+        let whole = Patch::whole(&self.transfer.grid.sides);
+        let unit = self.transfer.grid.plane();
+        let convert = |x: f64| (self.scale * x) as Short;
+        for_chunks(planes, 1, |plane, planes| {
+            let Plane { rows, values } = &mut planes[0];
+            for row in rows {
+                let site = whole.site(plane * unit + row.site as usize);
+                let values = &mut values[row.start..row.start + row.patch.len()];
+                for corner in self.support(&site).filter(|b| self.boxes.inside(b)) {
+                    let box_splines = Patch {
+                        low: corner,
+                        high: corner.map(|i| i + 4),
+                    };
+                    let at = box_splines.position(&site);
+                    let size = box_splines.len();
+                    let energy = &self.energy.on_box[at * size..(at + 1) * size];
+                    row.patch.add(values, &box_splines, energy, convert);
+                }
+            }
+        });
+    }
+
+    /// Adds what the cells near ∂Ω have.
+    fn add_cells(&self, planes: &mut [Plane<N>]) {
+        let span = |&cell: &u32| {
+            let reached = self
+                .transfer
+                .reached(&self.transfer.corners(N, cell as usize));
+            (cell, reached.low[N - 1], reached.high[N - 1])
+        };
+        let whole = Patch::whole(&self.transfer.grid.sides);
+        let unit = self.transfer.grid.plane();
+        let slabs = Slabs::new(planes.len(), self.near.iter().map(span).collect());
+        slabs.add_up(planes, 1, |cells, planes, first| {
+            for &cell in cells {
+                let (patch, form) = self.of_cell(cell as usize);
+                for (site, form) in patch.sites().zip(form.chunks_exact(patch.len())) {
+                    let plane = &mut planes[site[N - 1] - first];
+                    let at = whole.position(&site) % unit;
+                    let row = *plane.row(at).expect("what cells near ∂Ω reach is stored");
+                    let values = &mut plane.values[row.start..row.start + row.patch.len()];
+                    row.patch.add(values, &patch, form, |x| x as Short);
+                }
+            }
+        });
+    }
+
+    /// The form of the splines that reach a cell.
+    fn of_cell(&self, cell: usize) -> (Patch<N>, Vec<f64>) {
+        let Transfer {
+            hhj,
+            skeleton,
+            grid,
+            ..
+        } = self.transfer;
+        let patch = self.transfer.reached(&self.transfer.corners(N, cell));
+        let part = Grid {
+            sides: patch.sides(),
+            lower: std::array::from_fn::<f64, N, _>(|i| {
+                grid.lower[i] + patch.low[i] as f64 / grid.density[i]
+            })
+            .into(),
+            density: grid.density,
+        };
+        let (layout, splines) = (hhj.layout(), patch.len());
+        let mut energy = hhj.energy(cell);
+        eliminate(&mut energy, layout.bubbles);
+        let outer = layout.len - layout.bubbles;
+        let mut rows = vec![0.0; outer * splines];
+        for block in &layout.blocks {
+            let simplex = hhj.mesh().simplices_of(cell, block.k)[block.place] as usize;
+            if block.width > 0 && hhj.mesh().is_interior(block.k, simplex) {
+                let begin = (block.start - layout.bubbles) * splines;
+                let rows = &mut rows[begin..begin + skeleton.widths[block.k] * splines];
+                self.transfer.rows(block.k, simplex, &part, rows);
+            }
+        }
+        let condensed = DMatrix::from_fn(outer, outer, |i, j| {
+            energy[(layout.bubbles + i.max(j), layout.bubbles + i.min(j))]
+        });
+        (patch, conjugate(&condensed, &rows, splines))
+    }
+}
+
+/// Pᵀ A P from the rows of P.
+fn conjugate(a: &DMatrix<f64>, rows: &[Short], columns: usize) -> Vec<f64> {
+    let p: Vec<f64> = rows.iter().map(|&x| f64::from(x)).collect();
+    let outer = a.nrows();
+    // Row-major P is column-major Pᵀ.
+    let transposed = MatRef::from_column_major_slice(&p, columns, outer);
+    let a = MatRef::from_column_major_slice(a.as_slice(), outer, outer);
+    let mut product = vec![0.0; columns * outer];
+    let mut form = vec![0.0; columns * columns];
+    let half = MatMut::from_column_major_slice_mut(&mut product, columns, outer);
+    matmul(half, Accum::Replace, transposed, a, 1.0, Par::Seq);
+    let half = MatRef::from_column_major_slice(&product, columns, outer);
+    matmul(
+        MatMut::from_column_major_slice_mut(&mut form, columns, columns),
+        Accum::Replace,
+        half,
+        transposed.transpose(),
+        1.0,
+        Par::Seq,
+    );
+    form
+}

@@ -1,0 +1,266 @@
+//! From a lattice to one with boxes twice as large: a spline there is Σ_k w_k b_(2I−3+k) along each axis, w = (1 4 6 4 1)/8.
+
+use super::super::patch::Patch;
+use super::galerkin::planes;
+use super::level::{Kind, Level, Plane};
+use crate::parallel::for_chunks;
+
+/// The two-scale relation.
+const WEIGHTS: [f64; 5] = [0.125, 0.5, 0.75, 0.5, 0.125];
+
+/// How many splines along an axis the coarser lattice has.
+pub(super) fn halved(side: usize) -> usize {
+    (side - 3).div_ceil(2) + 3
+}
+
+/// The fine splines, of `side`, that a coarse one is made of: the first, and the one behind the last.
+fn children(coarse: usize, side: usize) -> (usize, usize) {
+    ((2 * coarse).saturating_sub(3), (2 * coarse + 2).min(side))
+}
+
+/// The weight of a child.
+#[inline]
+fn weight(coarse: usize, fine: usize) -> f64 {
+    WEIGHTS[fine + 3 - 2 * coarse]
+}
+
+/// The coarse splines that are made of some fine ones, `low` ≤ i < `high`.
+fn parents(low: usize, high: usize) -> (usize, usize) {
+    (low / 2, (high + 2) / 2 + 1)
+}
+
+/// One axis: the sums over the children of the coarse splines from `to.0` to `to.1`, of the numbers of the fine ones from
+/// `from.0` to `from.1`; `inner` numbers belong to each.
+fn gather(x: &[f64], inner: usize, from: (usize, usize), to: (usize, usize), y: &mut [f64]) {
+    for coarse in to.0..to.1 {
+        let y = &mut y[(coarse - to.0) * inner..][..inner];
+        let (first, end) = children(coarse, from.1);
+        for fine in first.max(from.0)..end {
+            let weight = weight(coarse, fine);
+            let x = &x[(fine - from.0) * inner..][..inner];
+            for (y, x) in y.iter_mut().zip(x) {
+                *y += weight * x;
+            }
+        }
+    }
+}
+
+/// The transpose of [`gather`] for all splines of an axis.
+fn spread(x: &[f64], inner: usize, coarse: usize, fine: usize, y: &mut [f64]) {
+    for (parent, x) in x.chunks_exact(inner).enumerate().take(coarse) {
+        let (first, end) = children(parent, fine);
+        for child in first..end {
+            let weight = weight(parent, child);
+            let y = &mut y[child * inner..][..inner];
+            for (y, x) in y.iter_mut().zip(x) {
+                *y += weight * x;
+            }
+        }
+    }
+}
+
+/// The dual vector of the coarser lattice from that of the finer one.
+pub(super) fn restrict<const N: usize>(x: &[f64], sides: &[usize; N]) -> Vec<f64> {
+    let mut x = x.to_vec();
+    let mut inner = 1;
+    for &side in sides {
+        let coarse = halved(side);
+        let outer = x.len() / (inner * side);
+        let mut y = vec![0.0; inner * coarse * outer];
+        for_chunks(&mut y, inner * coarse, |i, y| {
+            let x = &x[i * inner * side..][..inner * side];
+            gather(x, inner, (0, side), (0, coarse), y);
+        });
+        x = y;
+        inner *= coarse;
+    }
+    x
+}
+
+/// The spline of the coarser lattice on the finer one.
+pub(super) fn prolong<const N: usize>(x: &[f64], sides: &[usize; N]) -> Vec<f64> {
+    let mut x = x.to_vec();
+    let mut inner = 1;
+    for &side in sides {
+        let coarse = halved(side);
+        let outer = x.len() / (inner * coarse);
+        let mut y = vec![0.0; inner * side * outer];
+        for_chunks(&mut y, inner * side, |i, y| {
+            let x = &x[i * inner * coarse..][..inner * coarse];
+            spread(x, inner, coarse, side, y);
+        });
+        x = y;
+        inner *= side;
+    }
+    x
+}
+
+/// The splines of the coarser lattice that a tensor on the finer one is handed on to.
+fn reduced_patch<const N: usize>(patch: &Patch<N>) -> Patch<N> {
+    let ends = |axis: usize| parents(patch.low[axis], patch.high[axis]);
+    Patch {
+        low: std::array::from_fn(|axis| ends(axis).0),
+        high: std::array::from_fn(|axis| ends(axis).1),
+    }
+}
+
+/// A tensor on the finer lattice handed on: the numbers on [`reduced_patch`].
+fn reduce<const N: usize>(patch: &Patch<N>, numbers: &[f64]) -> Vec<f64> {
+    let (reduced, mut x, mut inner) = (reduced_patch(patch), numbers.to_vec(), 1);
+    for axis in 0..N {
+        let from = (patch.low[axis], patch.high[axis]);
+        let to = (reduced.low[axis], reduced.high[axis]);
+        let (before, after) = (inner * (from.1 - from.0), inner * (to.1 - to.0));
+        let mut y = vec![0.0; x.len() / before * after];
+        for (x, y) in x.chunks_exact(before).zip(y.chunks_exact_mut(after)) {
+            gather(x, inner, from, to, y);
+        }
+        x = y;
+        inner = after;
+    }
+    x
+}
+
+/// The rows of a level, their columns handed on to the coarser lattice.
+struct Halfway<'a, const N: usize> {
+    level: &'a Level<N>,
+    stored: Vec<Plane<N>>,
+    /// Those of deep splines, by the parities of their places: bit by axis.
+    deep: Vec<Vec<f64>>,
+}
+
+impl<'a, const N: usize> Halfway<'a, N> {
+    fn new(level: &'a Level<N>) -> Self {
+        let rows = |plane: &Plane<N>| {
+            let rows = plane.rows.iter();
+            Plane::new(rows.map(|row| (row.site, reduced_patch(&row.patch))))
+        };
+        let mut stored: Vec<Plane<N>> = level.planes.iter().map(rows).collect();
+        for_chunks(&mut stored, 1, |plane, stored| {
+            let (from, Plane { rows, values }) = (&level.planes[plane], &mut stored[0]);
+            for (row, to) in from.rows.iter().zip(rows) {
+                let numbers = from
+                    .numbers(row)
+                    .iter()
+                    .map(|&x| f64::from(x))
+                    .collect::<Vec<_>>();
+                let reduced = reduce(&row.patch, &numbers);
+                for (to, x) in values[to.start..].iter_mut().zip(reduced) {
+                    *to = x as _;
+                }
+            }
+        });
+        let by_parity = |bits: usize| {
+            let site = std::array::from_fn(|axis| 4 + (bits >> axis & 1));
+            reduce(&Patch::<N>::around(&site, 3, &[9; N]), &level.stencil)
+        };
+        Self {
+            level,
+            stored,
+            deep: (0..1 << N).map(by_parity).collect(),
+        }
+    }
+
+    /// The splines that a row has numbers for now.
+    fn patch(&self, at: usize) -> Patch<N> {
+        let unit = self.level.plane();
+        match self.level.kinds[at] {
+            Kind::Idle => Patch::EMPTY,
+            Kind::Deep => {
+                let site = Patch::whole(&self.level.sides).site(at);
+                reduced_patch(&Patch::around(&site, 3, &self.level.sides))
+            }
+            Kind::Stored => {
+                let row = self.stored[at / unit].row(at % unit);
+                row.expect("a stored row").patch
+            }
+        }
+    }
+
+    /// Adds a multiple of a row to one that is as large or larger.
+    fn add(&self, at: usize, factor: f64, patch: &Patch<N>, sums: &mut [f64]) {
+        let unit = self.level.plane();
+        match self.level.kinds[at] {
+            Kind::Idle => (),
+            Kind::Deep => {
+                let site = Patch::whole(&self.level.sides).site(at);
+                let bits = (0..N).map(|axis| (site[axis] & 1) << axis).sum::<usize>();
+                patch.add(sums, &self.patch(at), &self.deep[bits], |x| factor * x);
+            }
+            Kind::Stored => {
+                let plane = &self.stored[at / unit];
+                let row = plane.row(at % unit).expect("a stored row");
+                patch.add(sums, &row.patch, plane.numbers(row), |x| {
+                    factor * f64::from(x)
+                });
+            }
+        }
+    }
+}
+
+impl<const N: usize> Level<N> {
+    /// The same form on the coarser lattice's splines, Galerkin's way.
+    pub fn halved(&self) -> Self {
+        let sides = self.sides.map(halved);
+        let halfway = Halfway::new(self);
+        let whole = Patch::whole(&sides);
+        let (mut kinds, mut patches) = (Vec::new(), Vec::new());
+        for site in whole.sites() {
+            let kind = self.kind_of_sum(&site);
+            let mut patch = Patch::EMPTY;
+            if kind == Kind::Stored {
+                self.for_children(&site, |at, _| patch.join(&halfway.patch(at)));
+            }
+            kinds.push(kind);
+            patches.push(patch);
+        }
+        let mut planes = planes(&sides, &kinds, &patches);
+        let unit: usize = sides[..N - 1].iter().product();
+        for_chunks(&mut planes, 1, |plane, planes| {
+            let Plane { rows, values } = &mut planes[0];
+            for row in rows {
+                let site = whole.site(plane * unit + row.site as usize);
+                let mut sums = vec![0.0; row.patch.len()];
+                self.for_children(&site, |at, factor| {
+                    halfway.add(at, factor, &row.patch, &mut sums);
+                });
+                for (value, sum) in values[row.start..].iter_mut().zip(sums) {
+                    *value = sum as _;
+                }
+            }
+        });
+        let scale = 2.0_f64.powi(N as i32 - 4);
+        let stencil = self.stencil.iter().map(|x| scale * x).collect();
+        Self::new(sides, kinds, planes, stencil)
+    }
+
+    /// What is known of the row of a spline of the coarser lattice.
+    fn kind_of_sum(&self, site: &[usize; N]) -> Kind {
+        let (mut deep, mut idle, mut all) = (0, 0, 0);
+        self.for_children(site, |at, _| {
+            all += 1;
+            deep += usize::from(self.kinds[at] == Kind::Deep);
+            idle += usize::from(self.kinds[at] == Kind::Idle);
+        });
+        match () {
+            () if idle == all => Kind::Idle,
+            () if deep == 5_usize.pow(N as u32) => Kind::Deep,
+            () => Kind::Stored,
+        }
+    }
+
+    /// The splines that one of the coarser lattice is made of, with their weights.
+    fn for_children(&self, site: &[usize; N], mut work: impl FnMut(usize, f64)) {
+        let ends: [(usize, usize); N] =
+            std::array::from_fn(|axis| children(site[axis], self.sides[axis]));
+        let patch = Patch {
+            low: ends.map(|(low, _)| low),
+            high: ends.map(|(_, high)| high),
+        };
+        let whole = Patch::whole(&self.sides);
+        for child in patch.sites() {
+            let factor = (0..N).map(|axis| weight(site[axis], child[axis])).product();
+            work(whole.position(&child), factor);
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! Splines on a lattice that reaches past a domain of any shape: all those that meet the mesh, and a cycle over lattices with
+//! boxes twice, four times, … as large to solve with their form.
+
+mod energy;
+mod galerkin;
+mod halve;
+mod inside;
+mod level;
+
+use super::stencil::{Grid, Short};
+use super::transfer::Transfer;
+use crate::Error;
+use crate::linalg::Vector;
+use crate::norm::hhj::{Hhj, Size};
+use crate::norm::iterative::cg::axpy;
+use crate::norm::iterative::chebyshev::{Chebyshev, Room};
+use level::{Kind, Level};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+/// How many steps of Chebyshev's iteration smooth, and the largest eigenvalue over the least that is smoothed.
+const STEPS: usize = 3;
+const RATIO: f64 = 8.0;
+/// With so many splines a lattice is solved on by a dense factor.
+const FEW: usize = 600;
+/// What is added to the factor's diagonal of ones: splines that differ only outside the mesh are all but the same there, and
+/// single precision leaves eigenvalues of either sign, up to 1e-5. The least that matter are above 1e-3 on so few splines.
+const SHIFT: f64 = 1e-4;
+/// The edge of the lattice's boxes in units of h/p. With 1 the forms take four times the memory for a tenth fewer steps
+/// (26 for 32 on a ball of 12 934 tetrahedra, p = 2), with 2 the steps grow with the mesh.
+const COARSE: f64 = 1.5;
+
+/// The lattice: p/COARSE boxes of it to the edge h of a cube of N! mean cells.
+///
+/// # Errors
+/// If the mesh has no points.
+pub(super) fn background<const N: usize>(hhj: &Hhj<N>) -> Result<Grid<N>, Error> {
+    let points = hhj.mesh().points();
+    let points = points.ok_or(Error::NoCoordinates("the iterative solver"))?;
+    let (mut lower, mut upper) = (points[0], points[0]);
+    for x in points {
+        lower = lower.inf(x);
+        upper = upper.sup(x);
+    }
+    // The reference simplex has 1/N! of the volume of its cube.
+    let volume: f64 = hhj.shapes().iter().map(|shape| shape.volume).sum();
+    let mean = (volume / hhj.shapes().len() as f64).powf(1.0 / N as f64);
+    let density = hhj.space().degree().max(2) as f64 / (COARSE * mean);
+    let boxes = (upper - lower).map(|extent| (extent * density).ceil().max(1.0));
+    // The domain is in the middle.
+    let lower = (lower + upper - boxes / density) * 0.5;
+    Ok(Grid {
+        sides: std::array::from_fn(|axis| boxes[axis] as usize + 3),
+        lower,
+        density: Vector::from_element(density),
+    })
+}
+
+/// The lattices' forms, the finest first.
+#[derive(Debug)]
+pub(super) struct Levels<const N: usize> {
+    levels: Vec<(Level<N>, Chebyshev)>,
+    coarsest: Dense<N>,
+}
+
+impl<const N: usize> Levels<N> {
+    /// # Errors
+    /// If rounding makes the coarsest form indefinite.
+    pub fn new(transfer: &Transfer<N>) -> Result<Self, Error> {
+        let (mut level, mut levels) = (galerkin::finest(transfer), Vec::new());
+        while level
+            .kinds
+            .iter()
+            .filter(|&&kind| kind != Kind::Idle)
+            .count()
+            > FEW
+        {
+            let coarser = level.halved();
+            let smoother = Chebyshev::new(STEPS, RATIO, &level);
+            levels.push((std::mem::replace(&mut level, coarser), smoother));
+        }
+        Ok(Self {
+            levels,
+            coarsest: Dense::new(level)?,
+        })
+    }
+
+    /// s becomes about C⁻¹ s.
+    pub fn solve(&self, s: &mut [Short]) {
+        let r = s.iter().map(|&x| f64::from(x)).collect();
+        let z = self.cycle(0, r);
+        for (s, z) in s.iter_mut().zip(z) {
+            *s = z as Short;
+        }
+    }
+
+    /// A symmetric cycle from this level on.
+    fn cycle(&self, depth: usize, r: Vec<f64>) -> Vec<f64> {
+        let Some((level, smoother)) = self.levels.get(depth) else {
+            return self.coarsest.solve(&r);
+        };
+        let mut z = vec![0.0; r.len()];
+        let mut room = Room::new(level);
+        room.residual = r;
+        smoother.smooth(level, &mut z, &mut room, true);
+        let coarse = self.cycle(depth + 1, halve::restrict(&room.residual, &level.sides));
+        room.correction = halve::prolong(&coarse, &level.sides);
+        level.clear(&mut room.correction);
+        axpy(&mut z, 1.0, &room.correction);
+        room.subtract_image(level);
+        smoother.smooth(level, &mut z, &mut room, false);
+        z
+    }
+}
+
+/// The form on a coarsest lattice, factorised.
+#[derive(Debug)]
+struct Dense<const N: usize> {
+    level: Level<N>,
+    /// The splines that are not idle.
+    active: Vec<usize>,
+    /// The inverse square roots of the diagonal.
+    scales: Vec<f64>,
+    factor: Cholesky<f64, Dyn>,
+}
+
+impl<const N: usize> Dense<N> {
+    fn new(level: Level<N>) -> Result<Self, Error> {
+        let splines = 0..level.kinds.len();
+        let active: Vec<usize> = splines
+            .filter(|&at| level.kinds[at] != Kind::Idle)
+            .collect();
+        let mut places = vec![None; level.kinds.len()];
+        for (place, &at) in active.iter().enumerate() {
+            places[at] = Some(place);
+        }
+        let mut a = DMatrix::zeros(active.len(), active.len());
+        for (i, &at) in active.iter().enumerate() {
+            level.for_row(at, |column, number| {
+                if let Some(j) = places[column] {
+                    a[(i, j)] = number;
+                }
+            });
+        }
+        let scales: Vec<f64> = a
+            .diagonal()
+            .iter()
+            .map(|x: &f64| x.sqrt().recip())
+            .collect();
+        for (i, x) in scales.iter().enumerate() {
+            a.row_mut(i).scale_mut(*x);
+            a.column_mut(i).scale_mut(*x);
+            a[(i, i)] += SHIFT;
+        }
+        let failed = || Error::Solver("the coarsest splines' form is indefinite".into());
+        Ok(Self {
+            factor: a.cholesky().ok_or_else(failed)?,
+            level,
+            active,
+            scales,
+        })
+    }
+
+    fn solve(&self, r: &[f64]) -> Vec<f64> {
+        let of_active = self.active.iter().zip(&self.scales);
+        let mut x = DVector::from_vec(of_active.map(|(&at, scale)| scale * r[at]).collect());
+        self.factor.solve_mut(&mut x);
+        let mut z = vec![0.0; self.level.kinds.len()];
+        for ((&at, scale), x) in self.active.iter().zip(&self.scales).zip(x.iter()) {
+            z[at] = scale * x;
+        }
+        z
+    }
+}
+
+/// The bytes of the forms while they are set up, on a mesh with so many faces in ∂Ω. A row is stored where a spline is fewer
+/// than some 6 + p boxes from ∂Ω; it has (2p + 6)^N numbers or fewer, and for a time those handed on to the next lattice
+/// besides.
+pub(super) fn memory(size: &Size, boundary: usize) -> f64 {
+    let (n, p) = (size.dimension() as i32, size.degree().max(2) as f64);
+    let simplices = |n: i32| (1..=n).map(f64::from).product::<f64>();
+    let per_edge = p / COARSE;
+    // The lattice is that of a box around Ω, which may be twice as large.
+    let splines = 2.0 * size.cells() as f64 * per_edge.powi(n) / simplices(n);
+    let on_boundary = boundary as f64 * per_edge.powi(n - 1) / simplices(n - 1);
+    let rows = ((6.0 + p) * on_boundary).min(splines);
+    120.0 * splines + 5.5 * rows * (2.0 * p + 6.0).powi(n)
+}
