@@ -62,7 +62,7 @@ fn times_signs(degree: u64, roots: u32) -> f64 {
 }
 
 /// The names of the groups, each once, and the number of the group of each input.
-fn numbered(groups: &[String]) -> (Vec<String>, Vec<usize>) {
+pub(super) fn numbered(groups: &[String]) -> (Vec<String>, Vec<usize>) {
     let mut names: Vec<String> = Vec::new();
     let mut numbers = Vec::with_capacity(groups.len());
     for group in groups {

@@ -1,6 +1,7 @@
 //! What a check found: one entry of the report, as data.
 
 use super::bound::Bound;
+use super::proved::Proof;
 use serde::Serialize;
 
 /// One claim in one dimension by one method.
@@ -16,7 +17,9 @@ pub struct Entry {
     pub scalar: String,
     /// AD, exact, oracle or homotopy.
     pub method: String,
-    /// How many random instances.
+    /// Is it about integrals over meshes, and not about a point?
+    pub on_meshes: bool,
+    /// How many random instances, or points of a proof.
     pub cases: usize,
     /// Over all cases; for a bound the worst left/right.
     pub worst_residual: f64,
@@ -31,6 +34,9 @@ pub struct Entry {
     /// The degree of an exact run's identities.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bound: Option<Bound>,
+    /// What a proof rests on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proof: Option<Proof>,
     /// log₂ of the chance that a false identity was accepted, of exact runs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub false_accept_log2: Option<f64>,
@@ -67,6 +73,9 @@ pub struct Forgery {
     /// Its residual over the tolerance, at the instance where it is hardest to see; none where any mismatch
     /// decides.
     pub margin: Option<f64>,
+    /// The point that refutes it, where exact numbers do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refuted_at: Option<String>,
 }
 
 /// A forgery that changes nothing here.

@@ -284,6 +284,27 @@ impl<B: Ground> Equation<B> {
         values.flatten().copied()
     }
 
+    /// All wrong versions, by name: every term dropped, flipped and doubled, and the forgeries made by hand.
+    pub fn forgeries(&self) -> Vec<(String, Forged<B>)> {
+        let mut all = Vec::new();
+        let terms = self.terms().filter(|_| self.relation == Relation::Equal);
+        for term in terms {
+            for (kind, factor) in [("drop", 0), ("flip", -1), ("double", 2)] {
+                let value = term.value.iter().map(|x| B::from_int(factor) * *x);
+                let forged = Forged {
+                    name: "",
+                    replaced: vec![(term.name, value.collect())],
+                    somewhere: false,
+                    vacuous: term.vanishes,
+                };
+                all.push((format!("{}: {kind} {}", self.name, term.name), forged));
+            }
+        }
+        let by_hand = self.forged.iter();
+        all.extend(by_hand.map(|f| (format!("{}: {}", self.name, f.name), f.clone())));
+        all
+    }
+
     /// Did a root or an inverse not exist?
     pub fn is_poisoned(&self) -> bool {
         self.numbers().any(|x| x.is_poison())

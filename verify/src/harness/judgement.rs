@@ -8,8 +8,10 @@ use serde::Serialize;
 pub enum Method {
     /// Derivatives by automatic differentiation in floating point numbers.
     Ad,
-    /// Over a prime field.
+    /// Over prime fields.
     Exact,
+    /// Over rational numbers, at points that determine an identity.
+    Proof,
     /// Against numbers or formulas with a source outside this project.
     Oracle,
     /// By integrating along a path of metrics.
@@ -22,6 +24,7 @@ impl Method {
         match self {
             Self::Ad => "AD",
             Self::Exact => "exact",
+            Self::Proof => "proof",
             Self::Oracle => "oracle",
             Self::Homotopy => "homotopy",
         }

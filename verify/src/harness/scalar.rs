@@ -1,7 +1,7 @@
 //! The scalars that a claim runs over: a ground scalar, and the same scalar with a rate of change in time.
 
 use super::judgement::Method;
-use crate::exact::{Modular, Recorded};
+use crate::exact::{Modular, Ratio, Recorded};
 use nalgebra::SMatrix;
 use num_dual::Dual64;
 use proptest::strategy::{BoxedStrategy, Strategy};
@@ -133,6 +133,32 @@ impl<const BITS: u32, const LESS: u64> Drawn for Modular<BITS, LESS> {
 
     fn number() -> BoxedStrategy<Self> {
         (0..Self::P).prop_map(Self::new).boxed()
+    }
+}
+
+impl Components<Ratio> for Ratio {
+    fn components(self) -> Vec<Ratio> {
+        vec![self]
+    }
+}
+
+impl Ground for Ratio {
+    const METHOD: Method = Method::Exact;
+
+    fn is_poison(self) -> bool {
+        Ratio::is_poison(self)
+    }
+    fn size(self) -> f64 {
+        if self == Self::zero() { 0.0 } else { 1.0 }
+    }
+    fn angle(_sin: Self, _cos: Self) -> Option<Self> {
+        None
+    }
+    fn to_real(self) -> f64 {
+        f64::NAN
+    }
+    fn from_real(_x: f64) -> Self {
+        Self::POISON
     }
 }
 

@@ -1,7 +1,7 @@
 //! Judges the equations of all cases of one entry, and their forgeries.
 
 use super::entry::{Entry, Failure, Forgery, Vacuous, Verdict};
-use super::equation::{Equation, Forged, Relation, largest};
+use super::equation::{Equation, Forged, largest};
 use super::judgement::{Judgement, Method};
 use super::record::Record;
 use super::scalar::Ground;
@@ -152,32 +152,9 @@ impl Tally {
         ))
     }
 
-    /// Drops, flips and doubles every term, and tries the forgeries made by hand.
+    /// Tries all wrong versions.
     fn forge<B: Ground>(&mut self, equation: &Equation<B>) {
-        let mut forgeries = Vec::new();
-        if equation.relation == Relation::Equal {
-            for term in equation.terms() {
-                for (kind, factor) in [("drop", 0), ("flip", -1), ("double", 2)] {
-                    let value = term
-                        .value
-                        .iter()
-                        .map(|x| B::from_int(factor) * *x)
-                        .collect();
-                    forgeries.push((
-                        format!("{}: {kind} {}", equation.name, term.name),
-                        Forged {
-                            name: "",
-                            replaced: vec![(term.name, value)],
-                            somewhere: false,
-                            vacuous: term.vanishes,
-                        },
-                    ));
-                }
-            }
-        }
-        let by_hand = equation.forged.iter();
-        forgeries.extend(by_hand.map(|f| (format!("{}: {}", equation.name, f.name), f.clone())));
-        for (name, forged) in forgeries {
+        for (name, forged) in equation.forgeries() {
             let residual = equation.residual(&forged.replaced);
             self.trial(name, &forged, residual);
         }
@@ -228,6 +205,7 @@ impl Tally {
                     name: trial.name.clone(),
                     caught: trial.caught > 0 && (trial.somewhere || trial.missed == 0),
                     margin: trial.margin,
+                    refuted_at: None,
                 }),
             }
         }
@@ -238,6 +216,7 @@ impl Tally {
             dimension,
             scalar: scalar.to_owned(),
             method: method.name().to_owned(),
+            on_meshes: false,
             cases: self.cases,
             worst_residual: self.worst,
             tolerance: self.judgement.tolerance(),
@@ -245,6 +224,7 @@ impl Tally {
             forgeries,
             vacuous,
             bound: None,
+            proof: None,
             false_accept_log2: None,
             redraws: self.redraws,
             one_method: None,

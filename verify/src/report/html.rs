@@ -55,10 +55,17 @@ fn contents(html: &mut String, rows: &[Row<'_>], records: &[&Record]) {
             row.dimensions_listed(),
             row.methods().join(", "),
             row.cases(),
-            verdict(row.verdict())
+            standing(row)
         );
     }
     html.push_str("</table>\n");
+}
+
+fn standing(row: &Row<'_>) -> String {
+    match row.verdict() {
+        Verdict::Pass => escape(&row.standing()),
+        fails => verdict(fails).to_owned(),
+    }
 }
 
 fn verdict(verdict: Verdict) -> &'static str {

@@ -1,10 +1,12 @@
 //! One Markdown page for each claim, and an index.
 
+use super::chain::chain;
 use super::coverage::coverage;
 use super::data::Report;
+use super::exactly::{EXACTLY, degrees, proofs};
 use super::markdown::cell;
 use super::summary::{Row, margin};
-use crate::harness::{Bound, Entry, Record, Verdict};
+use crate::harness::{Entry, Forgery, Record, Verdict};
 use crate::paper::statements;
 use std::fmt::Write;
 
@@ -17,7 +19,7 @@ pub struct Page {
     pub content: String,
 }
 
-/// The index and a page for each claim that was run.
+/// The index, a page for each claim that was run, and how they hang together.
 pub fn pages(report: &Report, records: &[&Record]) -> Vec<Page> {
     let rows = report.rows();
     let mut pages = vec![index(report, &rows, records)];
@@ -29,6 +31,10 @@ pub fn pages(report: &Report, records: &[&Record]) -> Vec<Page> {
             });
         }
     }
+    pages.push(Page {
+        name: "chain.md".to_owned(),
+        content: chain(report),
+    });
     pages
 }
 
@@ -51,6 +57,7 @@ pub(super) fn residual(entry: &Entry) -> String {
 pub(super) fn allowed(entry: &Entry) -> String {
     match entry.false_accept_log2 {
         Some(log2) => format!("chance < 2^{log2:.0}"),
+        None if entry.proof.is_some() => "proved".to_owned(),
         None => format!("{:.1e}", entry.tolerance),
     }
 }
@@ -60,13 +67,7 @@ pub(super) const SHARED: &str = "\
 Each page says what keeps the two sides of a claim apart. Points, meshes, quadrature, jets and polynomials (floors 0 to 2 \
 of the library) serve both sides. Of what lies above, both sides may use the connection, normals and volume forms of a \
 metric; where one formula of the paper is on both sides, the page says so, and which claim pins it down against a value \
-from elsewhere.
-
-An exact run records the program that the library's code executes and runs it at random elements of two fields, with \
-2⁶¹ − 1 and 2⁶² − 57 elements. The degrees on the pages are counted along that program, cleared of denominators, a root \
-counting half of what is under it; g = AAᵀ + ½δ is of degree two in what is drawn. Of k roots 2ᵏ choices of signs make a \
-polynomial of 2ᵏ times the degree, and one draw in 2ᵏ has all roots that are asked for (the second number). The chance \
-is that of the draws from one field alone, since a false identity may hold modulo the other prime.";
+from elsewhere.";
 
 fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
     let mut text = format!(
@@ -90,13 +91,14 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
                 .map_or("exact".to_owned(), |(r, _)| format!("{r:.1e}")),
             row.weakest_forgery()
                 .map_or("exact".to_owned(), |f| margin(f.margin)),
-            verdict(row.verdict()),
+            row.standing(),
         );
     }
     text += "\n## Forgeries made by hand, and the claims that caught them\n\n| what is wrong | caught by |\n|---|---|\n";
     for (name, labels) in report.caught_by() {
         let _ = writeln!(text, "| {} | {} |", cell(name), labels.join(", "));
     }
+    text += EXACTLY;
     text += &coverage(&statements());
     Page {
         name: "index.md".to_owned(),
@@ -138,40 +140,15 @@ fn page(row: &Row<'_>, record: &Record) -> String {
             verdict(e.verdict)
         );
     }
+    proofs(&mut text, row);
     degrees(&mut text, row);
     forgeries(&mut text, row);
     text
 }
 
-/// What the chances of the exact runs are computed from.
-fn degrees(text: &mut String, row: &Row<'_>) {
-    let bounds: Vec<(usize, &Bound)> = (row.entries.iter())
-        .filter_map(|e| Some((e.dimension, e.bound.as_ref()?)))
-        .collect();
-    if bounds.is_empty() {
-        return;
-    }
-    text.push_str(
-        "\n## Degrees\n\n| N | degree | roots | degrees by what is drawn |\n|---|---|---|---|\n",
-    );
-    for (dimension, bound) in bounds {
-        let by: Vec<String> = (bound.by_group.iter())
-            .map(|(name, degree)| format!("{name}: {degree}"))
-            .collect();
-        let _ = writeln!(
-            text,
-            "| {dimension} | {} | {} of {} | {} |",
-            bound.degree,
-            bound.roots,
-            bound.roots_drawn,
-            by.join(", ")
-        );
-    }
-}
-
 /// Every forgery with the dimensions where it was caught, and where it changes nothing.
 fn forgeries(text: &mut String, row: &Row<'_>) {
-    text.push_str("\n## Forgeries\n\n| forgery | caught | weakest margin | changes nothing |\n|---|---|---|---|\n");
+    text.push_str("\n## Forgeries\n\n| forgery | caught | weakest margin | changes nothing | refuted by |\n|---|---|---|---|---|\n");
     for name in names(row) {
         let at = |e: &Entry| format!("N = {} {}", e.dimension, e.method);
         let found: Vec<_> = row
@@ -201,16 +178,26 @@ fn forgeries(text: &mut String, row: &Row<'_>) {
         };
         let _ = writeln!(
             text,
-            "| {} | {caught} | {} | {} |",
+            "| {} | {caught} | {} | {} | {} |",
             cell(&name),
             if found.is_empty() {
                 "–".to_owned()
             } else {
                 margin(weakest)
             },
-            cell(&reason.unwrap_or_default())
+            cell(&reason.unwrap_or_default()),
+            cell(&refuted_by(&found))
         );
     }
+}
+
+/// The point that refutes a forgery, in the lowest dimension.
+fn refuted_by(found: &[(&&Entry, &Forgery)]) -> String {
+    let points = found
+        .iter()
+        .filter_map(|(e, f)| Some((e.dimension, f.refuted_at.as_ref()?)));
+    let lowest = points.min_by_key(|(dimension, _)| *dimension);
+    lowest.map_or(String::new(), |(n, point)| format!("N = {n}: {point}"))
 }
 
 /// The names of all forgeries of a claim, each once.

@@ -46,9 +46,10 @@ impl<'a> Row<'a> {
         all
     }
 
-    /// Over all entries.
+    /// How many random instances, over all entries; the points of a proof are none.
     pub fn cases(&self) -> usize {
-        self.entries.iter().map(|e| e.cases).sum()
+        let drawn = self.entries.iter().filter(|e| e.proof.is_none());
+        drawn.map(|e| e.cases).sum()
     }
 
     /// The greatest, and what is allowed there; of the entries that are not exact, if there are any.
@@ -216,9 +217,9 @@ impl Report {
                 row.weakest_forgery()
                     .map_or("exact".to_owned(), |f| margin(f.margin)),
                 if row.verdict() == Verdict::Pass {
-                    "ok"
+                    row.standing()
                 } else {
-                    "FAILS"
+                    "FAILS".to_owned()
                 },
             );
         }

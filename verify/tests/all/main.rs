@@ -8,4 +8,5 @@ mod exact;
 mod how_to;
 mod labels;
 mod program;
+mod proof;
 mod sabotage;

@@ -70,6 +70,8 @@ impl Pointwise for D13 {
         sides: "Left and right: two metrics and two σ that agree on vectors tangent to F and nowhere else; the trace \
             over F with the tangential part of g⁻¹.",
     };
+    // Four roots of two unrelated metrics: no position is known where all of them are rational.
+    const PROVED: &'static [usize] = &[];
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);
@@ -246,6 +248,7 @@ impl Pointwise for M20 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[2, 3, 4];
     const OVER: Over = Over::Integers;
+    const PROVED: &'static [usize] = D13::PROVED;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         D13::equations::<S, N>(i)

@@ -6,9 +6,11 @@
 
 mod degrees;
 mod recorded;
+mod supports;
 
 pub use degrees::{Degrees, degrees};
 pub use recorded::{Recorded, record};
+pub use supports::{MultiDegree, supports};
 
 use regge_curvature::scalar::Algebraic;
 
@@ -74,6 +76,16 @@ impl Program {
             }
         }
         needed
+    }
+
+    /// The numbers of the inputs among these steps.
+    pub fn inputs(&self, needed: &[bool]) -> Vec<usize> {
+        let steps = self.steps.iter().zip(needed).filter(|(_, needed)| **needed);
+        let inputs = steps.filter_map(|(step, _)| match step {
+            Step::Input(k) => Some(*k as usize),
+            _ => None,
+        });
+        inputs.collect()
     }
 
     /// Which steps depend on the inputs that are marked.

@@ -8,7 +8,7 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number of which only the way is known by which it was computed: a place in the program of this thread.
 ///
-/// Products with 0 and 1, sums with 0 and operations between constants leave no step behind.
+/// Products with 0 and 1, sums with 0, operations between constants and roots of their squares leave no step behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Recorded(u32);
 
@@ -210,10 +210,11 @@ impl Field for Recorded {
 
 impl Algebraic for Recorded {
     fn sqrt(self) -> Self {
-        if self.is(0) || self.is(1) {
-            self
-        } else {
-            step(Step::Root(self.0))
+        let root = |x: i64| x.checked_isqrt().filter(|root| root * root == x);
+        let constant = self.constant().and_then(|(n, d)| root(n).zip(root(d)));
+        match constant {
+            Some((n, d)) => step(Step::Constant(n, d)),
+            None => step(Step::Root(self.0)),
         }
     }
 }

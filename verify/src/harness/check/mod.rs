@@ -13,8 +13,9 @@ pub use numbers::OnNumbers;
 pub use programs::OnPrograms;
 
 use super::case::Key;
-use super::entry::Entry;
-use super::judgement::Method;
+use super::entry::{Entry, Verdict};
+use super::judgement::{Judgement, Method};
+use super::proof::{Outcome, Proofs};
 use super::record::{Excuses, Record};
 use super::scalar::Drawn;
 use super::tally::Tally;
@@ -48,6 +49,8 @@ pub enum Kind {
     Integrals(Integrals),
     /// Elements of two prime fields, over which recorded programs are run.
     Programs(OnPrograms),
+    /// Nothing: the points are those that determine the claim.
+    Proof(Proofs),
     /// Fields on meshes.
     Mesh(OnMeshes),
 }
@@ -59,6 +62,8 @@ impl Check {
             Kind::Real(check) => check.cases.of(budget),
             Kind::Integrals(check) => check.cases.of(budget),
             Kind::Programs(check) => check.cases.of(budget),
+            // There is no chance in it.
+            Kind::Proof(_) => 1,
             Kind::Mesh(check) => check.settings(self.dimension, budget.quick).len(),
         }
     }
@@ -76,12 +81,28 @@ impl Check {
         let mut entry = match &self.kind {
             Kind::Real(check) => finish(check.run(key, cases, &budget.formulas), f64::NAME),
             Kind::Mesh(check) => finish(check.run(key, budget.quick, &budget.formulas), f64::NAME),
+            Kind::Proof(check) => self.proved(check.run(key, &budget.formulas)),
             Kind::Integrals(check) => exactly(check.run(key, cases, &budget.formulas)),
             Kind::Programs(check) => exactly(check.run(key, cases, &budget.formulas)),
         };
+        entry.on_meshes = matches!(self.kind, Kind::Mesh(_) | Kind::Integrals(_));
         entry.one_method = self.excuses.one_method.map(str::to_owned);
         entry.few_cases = self.excuses.few_cases.map(str::to_owned);
         entry
+    }
+
+    fn proved(&self, outcome: Outcome) -> Entry {
+        let holds = outcome.failure.is_none() && outcome.forgeries.iter().all(|f| f.caught);
+        let tally = Tally::new(Judgement::Exact);
+        Entry {
+            cases: outcome.proof.points,
+            proof: Some(outcome.proof),
+            verdict: if holds { Verdict::Pass } else { Verdict::Fail },
+            forgeries: outcome.forgeries,
+            vacuous: outcome.vacuous,
+            failure: outcome.failure,
+            ..tally.finish(self.record, self.dimension, "ℚ", self.method)
+        }
     }
 
     /// Where the randomness of its first case comes from.

@@ -1,14 +1,16 @@
 //! Claims that hold at a point: one body for floating point numbers and for the prime field.
 
 use super::instance::Instance;
+use super::reduced::{FORMS, Form, extra, moved, reduced, variables};
 use crate::exact::Recorded;
 use crate::harness::{
-    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, OnNumbers, OnPrograms,
-    Record, Timed, has,
+    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, Moved, OnNumbers,
+    OnPrograms, Proofs, Record, Timed, has, list,
 };
 use num_dual::Dual64;
 use regge_curvature::formulas::Formulas;
 use regge_curvature::jet::Jet1;
+use regge_curvature::scalar::Field;
 
 /// The scalars that a pointwise claim runs over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +37,9 @@ pub trait Pointwise: 'static {
     /// |left − right| over the sum of the terms' magnitudes. Terms are sums of up to N⁴ products through g⁻¹ and
     /// ∂g⁻¹; the instances' condition numbers are below 10², so that rounding is amplified by less than 10⁴.
     const TOLERANCE: f64 = 1e-11;
+    /// Where it is proved at points that determine it, where it is meaningful; elsewhere, or if its degree is too large, it is
+    /// tested.
+    const PROVED: &'static [usize] = &[2, 3, 4, 5];
     /// By which scalars.
     const OVER: Over = Over::Both;
     /// Why there is one method only.
@@ -85,6 +90,27 @@ pub fn add<C: Pointwise, const N: usize>(all: &mut Catalogue) {
             equations: equations::<C, Jet1<Recorded, 1>, N>,
         };
         all.push(of_claim::<C>(N, Method::Exact, Kind::Programs(check)));
+        if const { has(C::PROVED, N) } {
+            let proof = Proofs {
+                forms: FORMS.len(),
+                describe: |form| Form::of(form).describe(),
+                allows: |form, group| Form::of(form).allows(group),
+                groups: groups::<N>,
+                equations: equations::<C, Jet1<Recorded, 1>, N>,
+                variables: |form| variables::<N>(Form::of(form)),
+                reduced: in_form::<C, N>,
+                elsewhere: in_other_coordinates::<C, N>,
+                changes: |form| {
+                    if Form::of(form) == Form::Place {
+                        0
+                    } else {
+                        extra::<N>()
+                    }
+                },
+                moved: in_motion::<C, N>,
+            };
+            all.push(of_claim::<C>(N, Method::Proof, Kind::Proof(proof)));
+        }
     }
 }
 
@@ -110,6 +136,48 @@ fn on_numbers<C: Pointwise, S: Timed, const N: usize>(
         count: Instance::<S, N>::count(),
         equations: equations::<C, S, N>,
         shrinks: true,
+    }
+}
+
+/// The claim in a normal position.
+fn in_form<C: Pointwise, const N: usize>(
+    form: usize,
+    numbers: &[Recorded],
+    formulas: &Formulas,
+) -> (Vec<Equation<Recorded>>, Vec<Recorded>) {
+    let (instance, roots) = reduced::<Jet1<Recorded, 1>, N>(Form::of(form), numbers, formulas);
+    (C::equations(&instance), roots)
+}
+
+/// The same instance in coordinates x = A y, A upper triangular and all ones.
+fn in_other_coordinates<C: Pointwise, const N: usize>(
+    form: usize,
+    numbers: &[Recorded],
+    formulas: &Formulas,
+) -> Vec<Equation<Recorded>> {
+    let form = Form::of(form);
+    let (instance, _) = reduced::<Jet1<Recorded, 1>, N>(form, numbers, formulas);
+    if form == Form::Place {
+        return C::equations(&instance);
+    }
+    let below = |k: usize| k < N * N && k / N > k % N;
+    let ones = list(extra::<N>(), |k| Recorded::from_int(i64::from(!below(k))));
+    C::equations(&moved(form, &instance, &ones).0)
+}
+
+/// The claim in two systems of coordinates.
+fn in_motion<C: Pointwise, const N: usize>(
+    form: usize,
+    numbers: &[Recorded],
+    formulas: &Formulas,
+) -> Moved {
+    let count = numbers.len() - extra::<N>();
+    let instance = Instance::<Jet1<Recorded, 1>, N>::from_numbers(&numbers[..count], formulas);
+    let (other, moves) = moved(Form::of(form), &instance, &numbers[count..]);
+    Moved {
+        before: C::equations(&instance),
+        after: C::equations(&other),
+        moves,
     }
 }
 

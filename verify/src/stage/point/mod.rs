@@ -7,6 +7,7 @@ mod claim;
 mod draw;
 mod frame;
 mod instance;
+mod reduced;
 mod scene;
 
 pub use claim::{Over, Pointwise, add};

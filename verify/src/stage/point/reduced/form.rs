@@ -1,0 +1,74 @@
+//! The normal positions.
+
+/// A normal position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::stage::point) enum Form {
+    /// g = δ; n = e_N; the other face of a hinge is (2u, 1 − u²) in the last two coordinates, u > 0; the frame is the one of
+    /// the coordinates.
+    Normal,
+    /// The same, and v > 0 may be in denominators.
+    Conformal,
+    /// g = δ, and X = p e_N with p > 0.
+    Vector,
+    /// In the coordinates of a simplex: g = δ but for g(e_{N−1}, e_N) = (1 − u²)/(1 + u²), u > 0.
+    Hinge,
+    /// A product of two spaces, g = δ.
+    Split,
+    /// g = δ and g̃ = diag(λ), λ_i > 0.
+    Pair,
+    /// g = δ, n = e_N, and g̃ = L Lᵀ with L lower triangular, diagonal but for its last row.
+    PairNormal,
+    /// Numbers that are all free: nothing is brought anywhere.
+    Place,
+}
+
+/// In the order in which they are tried.
+pub(in crate::stage::point) const FORMS: [Form; 8] = [
+    Form::Normal,
+    Form::Hinge,
+    Form::Vector,
+    Form::Conformal,
+    Form::Split,
+    Form::Pair,
+    Form::PairNormal,
+    Form::Place,
+];
+
+const SURFACE: [&str; 3] = ["φ", "∂φ", "∂²φ"];
+
+impl Form {
+    /// By its number.
+    pub fn of(number: usize) -> Self {
+        FORMS[number]
+    }
+
+    /// May a claim depend on what is drawn by this name?
+    pub fn allows(self, group: &str) -> bool {
+        let surface = SURFACE.contains(&group);
+        let frame = ["ν̄", "τ", "∂τ"].contains(&group);
+        let other = ["g̃", "∂g̃"].contains(&group);
+        match self {
+            Self::Normal | Self::Conformal => !other && group != "x",
+            Self::Vector | Self::Hinge | Self::Split => {
+                !surface && !frame && !other && group != "x"
+            }
+            Self::Pair => !surface && !frame && group != "x",
+            Self::PairNormal => !frame && group != "x",
+            Self::Place => group == "x",
+        }
+    }
+
+    /// As the pages say it.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Normal => "g = δ, n = e_N",
+            Self::Conformal => "g = δ, any v > 0",
+            Self::Vector => "g = δ, X = p e_N",
+            Self::Hinge => "g = δ but for the hinge's angle",
+            Self::Split => "g = δ on both factors",
+            Self::Pair => "g = δ, g̃ diagonal",
+            Self::PairNormal => "g = δ, n = e_N, g̃ = LLᵀ",
+            Self::Place => "any point",
+        }
+    }
+}

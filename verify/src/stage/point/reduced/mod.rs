@@ -1,0 +1,145 @@
+//! Instances in a normal position, to which every instance is brought by a constant linear change of coordinates.
+//!
+//! Where g(x) = δ and n(x) = e_N, the library's formulas are polynomials in the jets. A [`Form`] is such a position; what a
+//! claim must not depend on in order to be brought there, and which changes of coordinates do it, is said with each.
+
+mod form;
+mod moved;
+mod slots;
+
+pub(super) use form::{FORMS, Form};
+pub(super) use moved::{extra, moved};
+
+use super::draw::vary2;
+use super::instance::Instance;
+use crate::harness::{Ground, Timed, Variable, list};
+use num_dual::Dual64;
+use regge_curvature::formulas::{Formulas, PAPER};
+use regge_curvature::jet::{Jet1, Jet2, lower};
+use regge_curvature::linalg::{Mat, Vector, identity, vector, zeros};
+use regge_curvature::scalar::Field;
+use slots::Slots;
+
+/// What the numbers of an instance in this form are.
+pub(super) fn variables<const N: usize>(form: Form) -> Vec<Variable> {
+    let mut slots = Slots::new(None);
+    arrange::<Dual64, N>(form, &mut slots, &PAPER);
+    slots.variables
+}
+
+/// The instance in this form with these numbers, and what can be under a root there: products of these.
+#[inline(never)]
+pub(super) fn reduced<S: Timed, const N: usize>(
+    form: Form,
+    numbers: &[S::Base],
+    formulas: &Formulas,
+) -> (Instance<S, N>, Vec<S::Base>) {
+    arrange(form, &mut Slots::new(Some(numbers)), formulas)
+}
+
+/// The k-th unit vector, times p.
+fn unit<B: Ground, const N: usize>(k: usize, p: B) -> Vector<B, N> {
+    vector(|i| if i == k { p } else { B::zero() })
+}
+
+fn arrange<S: Timed, const N: usize>(
+    form: Form,
+    slots: &mut Slots<'_, S::Base>,
+    formulas: &Formulas,
+) -> (Instance<S, N>, Vec<S::Base>) {
+    let mut roots = Vec::new();
+    let place = match form {
+        Form::Place => list(12, |k| slots.parameter(format!("x{}", k + 1))),
+        _ => vec![S::Base::zero(); 12],
+    };
+    let (one, nu_bar) = angle(form, slots, &mut roots);
+    let g: Mat<Jet2<S::Base, N>, N> = slots.tensor(Some(&one), "g");
+    let sigma: Mat<Jet2<S::Base, N>, N> = slots.tensor(None, "σ");
+    let other = other_metric(form, slots, &mut roots);
+    let other = lower(&slots.tensor(Some(&other), "g̃"));
+    let x = (form == Form::Vector).then(|| {
+        roots.push(slots.parameter("p".to_owned()));
+        unit(N - 1, roots[0])
+    });
+    let slope: Vector<S::Base, N> = unit(N - 1, S::Base::one());
+    let phi = slots.second(
+        Jet1 {
+            value: S::Base::zero(),
+            d: slope.into(),
+        },
+        "φ",
+        "",
+    );
+    let v = (form == Form::Conformal).then(|| slots.parameter("v".to_owned()));
+    let instance = Instance {
+        moving_g: g.zip_map(&sigma, vary2::<S, N>),
+        g,
+        sigma,
+        phi,
+        fields: [slots.field(x.as_ref(), "X", ""), slots.field(None, "Y", "")],
+        v: slots.jet2(v, "v", ""),
+        alpha: Vector::from_fn(|k, _| slots.jet1(None, "α", &format!("{}", k + 1))),
+        nu_bar,
+        nu_rate: Vector::from_fn(|k, _| slots.jet1::<0>(None, "ν̇", &format!("{}", k + 1)).value),
+        seeds: list(N - 1, |k| {
+            slots.field(Some(&unit(k, S::Base::one())), "τ", &format!("{}_", k + 1))
+        }),
+        other,
+        spare: std::array::from_fn(|k| place[k]),
+        formulas: *formulas,
+    };
+    (instance, roots)
+}
+
+/// g, and the covector of the other face of a hinge. With s = 2u and c = 1 − u², √(s² + c²) is 1 + u².
+fn angle<B: Ground, const N: usize>(
+    form: Form,
+    slots: &mut Slots<'_, B>,
+    roots: &mut Vec<B>,
+) -> (Mat<B, N>, Vector<B, N>) {
+    let mut g = identity::<B, N>();
+    if !matches!(form, Form::Normal | Form::Hinge) {
+        return (g, unit(N - 2, B::one()));
+    }
+    let u = slots.parameter("u".to_owned());
+    let (sin, cos, length) = (u + u, B::one() - u * u, B::one() + u * u);
+    roots.extend([u, length]);
+    if form == Form::Hinge {
+        g[(N - 2, N - 1)] = cos / length;
+        g[(N - 1, N - 2)] = cos / length;
+    }
+    (g, unit::<B, N>(N - 2, sin) + unit::<B, N>(N - 1, cos))
+}
+
+/// g̃, where there is one.
+fn other_metric<B: Ground, const N: usize>(
+    form: Form,
+    slots: &mut Slots<'_, B>,
+    roots: &mut Vec<B>,
+) -> Mat<B, N> {
+    let mut l = identity::<B, N>();
+    if !matches!(form, Form::Pair | Form::PairNormal) {
+        return l;
+    }
+    for k in 0..N {
+        l[(k, k)] = slots.parameter(format!("l{}", k + 1));
+    }
+    if form == Form::Pair {
+        return l;
+    }
+    for k in 0..N {
+        roots.push(l[(k, k)]);
+    }
+    for k in 0..N - 1 {
+        l[(N - 1, k)] = slots.parameter(format!("b{}", k + 1));
+    }
+    let mut square = zeros();
+    for i in 0..N {
+        for j in 0..N {
+            for k in 0..N {
+                square[(i, j)] += l[(i, k)] * l[(j, k)];
+            }
+        }
+    }
+    square
+}
