@@ -1,13 +1,14 @@
 //! M07, M10, M19: the distributional Einstein tensor.
 
-use crate::harness::{Equation, Judgement, Record, Setting};
-use crate::stage::mesh::{Evolution, Moving, QUADRATURE, Three, everywhere};
+use crate::harness::{Equation, Judgement, Record, Setting, pairwise};
+use crate::stage::fields::moving;
+use crate::stage::mesh::{Evolution, Moving, QUADRATURE, Three, everywhere, rates};
 use regge_curvature::field::{Evaluate, PointByPoint};
-use regge_curvature::functional::einstein;
+use regge_curvature::functional::{distributional_curvature, einstein};
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::Mat;
 use regge_curvature::simplex::{Bernstein, JetTable, Points};
-use regge_curvature::spaces::Lagrange;
+use regge_curvature::spaces::{Indicators, Lagrange};
 
 /// v σ for a function v of a Lagrange space.
 struct Product<'a, S, const N: usize> {
@@ -34,6 +35,25 @@ impl<S: Evaluate<f64, N>, const N: usize> Evaluate<f64, N> for Product<'_, S, N>
     }
 }
 
+/// The size of what is added up: for one random v a sum may be a hundred times smaller than its terms, and the rounding is
+/// of these. For r = 0 there may be one test function alone, whose terms are the hinges'.
+fn parts<const N: usize>(at: &Setting, m: &Moving<N>) -> f64 {
+    let pair = &m.at;
+    let size = |sum: &[f64]| -> f64 { sum.iter().map(|x| x.abs()).sum() };
+    let all = |three: &Three| size(&three.t) + size(&three.f) + size(&three.s);
+    if at.degree == 0 {
+        let simplices = Indicators::new(pair.space.mesh());
+        let g = moving(&pair.g, &pair.sigma);
+        return all(&rates(&distributional_curvature(
+            &g,
+            &simplices,
+            &pair.rules,
+        )));
+    }
+    let times = |sum: &[f64]| pairwise(sum, &m.v, |s, c| s * c);
+    size(&times(&m.rate.t)) + size(&times(&m.rate.f)) + size(&times(&m.rate.s))
+}
+
 /// The same as M05 by the Einstein tensor.
 pub struct M10;
 
@@ -53,7 +73,7 @@ impl Evolution for M10 {
         everywhere(dimension, quick)
     }
 
-    fn equations<const N: usize>(_: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
+    fn equations<const N: usize>(at: &Setting, m: &Moving<N>) -> Vec<Equation<f64>> {
         let (pair, v) = (&m.at, &m.v);
         let paired = |sum: &[f64]| -> f64 { sum.iter().zip(v).map(|(s, c)| s * c).sum() };
         let whole = |x: &Three| paired(&x.t) + paired(&x.f) + paired(&x.s);
@@ -70,6 +90,7 @@ impl Evolution for M10 {
                 .left("d/dt⟨(Rω)_dist,v⟩", whole(&m.rate))
                 .right("⟨(div div 𝕊)_dist σ,v⟩", whole(&pair.b()))
                 .right("−⟨(Gω)_dist,vσ⟩", -einstein.total())
+                .magnitude(parts(at, m))
                 .vanishes(N == 2, "(Gω)_dist = 0 when N = 2"),
         ]
     }
