@@ -42,7 +42,9 @@ fn quadrature(study: &Study) -> Option<String> {
 fn as_printed(dimension: usize) -> String {
     let which = match dimension {
         2 => "its order 8 (r = 2) is known to 0.1 % at k = 0 only",
-        _ => "they are not all known: at k = 0, r = 1 comes out 3.3 % too large, r = 2 4.8 % too small",
+        _ => {
+            "they are not all known: at k = 0, r = 1 comes out 3.3 % too large, r = 2 4.8 % too small"
+        }
     };
     format!(
         "As printed: local projection by a rule of exactness 2r, functional by rules of order 2(r+2), norm of order \
