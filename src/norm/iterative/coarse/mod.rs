@@ -59,11 +59,13 @@ impl<const N: usize> Coarse<N> {
     /// largest eigenvalue over the least that is smoothed.
     ///
     /// Measured on the cube: with two steps and 2 or 8 the iteration takes up to a fifth longer, and a third step saves next
-    /// to nothing. Elsewhere cells differ in size and shape, and what the splines cannot see is smoothed for longer: 26 steps
-    /// for 50 on a ball of 12 934 tetrahedra, p = 2, 10 for 14 on a Fichera corner of 4 947.
+    /// to nothing. In the plane four steps take as long as two. In space cells from elsewhere differ in size and shape, and what
+    /// the splines cannot see is smoothed for longer: 26 steps for 50 on a ball of 12 934 tetrahedra, p = 2, 10 for 14 on a
+    /// Fichera corner of 4 947.
     pub fn smoothing(&self) -> (usize, f64) {
         match self.inverse {
             Inverse::Cube(_) => (2, 4.0),
+            Inverse::Domain(_) if N == 2 => (2, 4.0),
             Inverse::Domain(_) => (4, 12.0),
         }
     }
