@@ -10,7 +10,7 @@ pub fn coverage(statements: &[Statement]) -> String {
     let mut text = format!(
         "\n## What of the paper is verified\n\nThe paper has {} statements that can be computed \
          ([statements.csv](statements.csv) has them one by one, with the claims that verify each; [labels.toml](labels.toml) \
-         goes by its labels). Verified: by claims with independent sides, or measured and judged. Test only: a test or \
+         goes by its labels). Verified: by claims with independent sides, or measured and judged ([analysis.md](analysis.md)). Test only: a test or \
          a study computes it and judges nothing. Before: an audit of 24 November 2026, which counted the four statements of \
          the appendix on degrees of freedom, duality, the projector and the average as absent, though I28 and I29 had them.\n\n\
          | status | before | now |\n|---|---|---|\n",

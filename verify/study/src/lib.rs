@@ -25,7 +25,7 @@ mod study;
 pub use case::Case;
 pub use case_mesh::{mesh, mesh_seed};
 pub use event::{Event, Failure, Phase};
-pub use fit::{Fit, fits};
+pub use fit::{Fit, fits, slope};
 pub use named::Named;
 pub use printed_rules::printed_rule;
 pub use projection::ProjectionKind;

@@ -106,7 +106,7 @@ impl Quantity {
     }
 
     /// f(v) for every v of the space; the smooth metric g is integrated by the same rules as g_h.
-    pub(super) fn load<const N: usize>(
+    pub fn load<const N: usize>(
         self,
         g: &Smooth<Metric, N>,
         g_h: &ReggeFunction<f64, N>,

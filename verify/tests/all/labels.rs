@@ -18,7 +18,14 @@ const KINDS: [&str; 8] = [
 
 /// The claims that can be homes: what each cites of the paper.
 fn rows() -> BTreeMap<&'static str, &'static [&'static str]> {
-    records().iter().map(|r| (r.label, r.paper)).collect()
+    let measured = regge_analysis::claims::ALL
+        .iter()
+        .map(|c| (c.label, c.paper));
+    records()
+        .iter()
+        .map(|r| (r.label, r.paper))
+        .chain(measured)
+        .collect()
 }
 
 /// The number of different labels in scalar-curvature.tex (one of them is there twice).

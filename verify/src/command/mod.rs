@@ -1,14 +1,18 @@
 //! The arguments, and what is done with them.
 
+mod analysis;
+
+use regge_analysis::Effort;
 use regge_terminal::{Bar, Out, Stop, output};
 use regge_verify::claims::records;
 use regge_verify::report::{Report, document, pages};
-use regge_verify::{Options, errata, run};
+use regge_verify::{Options, errata, paper, run};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 const DETAILS: &str = "\
 Labels are rows of the catalogue (P13) or labels of the paper's source (thm:distcurvdot).
+Claims of the analysis (A01: bounds, rates, constants) are measured with --analysis, or where --only names them alone.
 A claim passes if it holds at every random instance and every forgery of it is caught.
 A run of everything also writes the errata: over an errata.md beside the folder of pages, as in docs, or else into it.
 
@@ -16,6 +20,7 @@ Examples:
   regge-verify                              everything; pages in target/verification
   regge-verify --only P20 --dimension 3     one claim in one dimension
   regge-verify --seed 7 --json report.json  other random instances, the report as data
+  regge-verify --analysis                   the constants and orders of convergence that the paper asserts
 
 Exit codes: 0 all hold, 1 a claim fails, a forgery was not caught or a file could not be written, 2 bad arguments.";
 
@@ -38,6 +43,9 @@ pub struct Args {
     /// Fewer instances
     #[arg(long)]
     quick: bool,
+    /// Measures constants and orders of convergence instead
+    #[arg(long, conflicts_with = "dimension")]
+    analysis: bool,
     /// Writes the report as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -52,6 +60,14 @@ impl Args {
         if let Some(path) = &self.json {
             output::check(path)?;
         }
+        if self.analysis || self.names_analysis_alone() {
+            let effort = Effort {
+                seed: self.seed,
+                quick: self.quick,
+            };
+            return analysis::run(&effort, &self.only, &self.report, self.json.as_deref());
+        }
+        self.only.iter().try_for_each(|name| reason(name))?;
         let everything = self.only.is_empty() && self.dimension.is_none() && !self.quick;
         let options = Options {
             only: self.only,
@@ -77,6 +93,28 @@ impl Args {
         write!(out, "{}", report.table())?;
         writeln!(out, "pages: {}", self.report.display())?;
         verdict(&report)
+    }
+}
+
+impl Args {
+    /// Does `--only` name claims of the analysis, and nothing of the catalogue?
+    fn names_analysis_alone(&self) -> bool {
+        let catalogued = |name: &String| {
+            let is = |r: &&regge_verify::harness::Record| {
+                r.label.eq_ignore_ascii_case(name) || r.paper.contains(&&**name)
+            };
+            records().iter().any(is)
+        };
+        let mut names = self.only.iter();
+        !self.only.is_empty() && names.all(|name| analysis::knows(name) && !catalogued(name))
+    }
+}
+
+/// A label of the paper without a claim: why there is none.
+fn reason(name: &str) -> Result<(), Stop> {
+    match paper::labels().remove(name).and_then(|label| label.reason) {
+        Some(reason) => Err(Stop::Usage(format!("{name} has no claim: {reason}"))),
+        None => Ok(()),
     }
 }
 

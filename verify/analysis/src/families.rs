@@ -1,0 +1,188 @@
+//! Floor 2. The meshes and metrics on which bounds are measured.
+
+use crate::pieces::Pieces;
+use regge_curvature::Error;
+use regge_curvature::interpolate::Interpolant;
+use regge_curvature::linalg::{Mat, Vector, symmetric, vector};
+use regge_curvature::mesh::{Mesh, SplitMix64};
+use regge_curvature::metrics::{Metric, Smooth, SmoothTensor};
+use regge_curvature::scalar::Real;
+use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
+
+/// The patterns of vertices and coefficients repeat after so many cubes: the same few shapes of cells at every level, so that a
+/// best constant changes with h and not with how unlucky the worst of ever more random cells is.
+const PERIOD: usize = 2;
+
+/// A random number from [−1, 1) for these numbers.
+fn pattern(seed: u64, key: impl Iterator<Item = usize>) -> f64 {
+    let mix = |state: u64, number: usize| SplitMix64::new(state ^ (number as u64 + 1)).next_u64();
+    // Seeds are small numbers, and so are the keys: mixed as they are, some would meet.
+    let start = SplitMix64::new(seed).next_u64();
+    SplitMix64::new(key.fold(start, mix)).symmetric()
+}
+
+/// The place of a vertex in a grid with so many points a direction.
+fn place<const N: usize>(vertex: usize, points: usize) -> [usize; N] {
+    std::array::from_fn(|i| vertex / points.pow(i as u32) % points)
+}
+
+/// Freudenthal's cube with so many cubes a side, inner vertices moved in a random periodic pattern by up to an eighth of a
+/// cube's edge: uniformly shape-regular, which the meshes of the paper's section 5 are not for N = 2.
+///
+/// # Errors
+/// Never, for a side above 0.
+pub fn mesh<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
+    let cube = Mesh::<N>::cube(side)?;
+    let mut points = cube
+        .points()
+        .ok_or(Error::NoCoordinates("a mesh"))?
+        .to_vec();
+    for vertex in cube.interior(0) {
+        let at = place::<N>(vertex, side + 1).map(|i| i % PERIOD);
+        for (i, x) in points[vertex].iter_mut().enumerate() {
+            *x += 0.25 / side as f64 * pattern(seed, at.into_iter().chain([i]));
+        }
+    }
+    moved(&cube, points)
+}
+
+/// ℝ^N/2ℤ^N in the same way: without a boundary, and so without a layer of cells where things are different.
+///
+/// # Errors
+/// If the side is less than 3.
+pub fn torus<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
+    let torus = Mesh::<N>::torus(side)?;
+    let (mut cells, mut corners) = (Vec::new(), Vec::new());
+    for cell in 0..torus.cell_count() {
+        let vertices: Vec<usize> = torus
+            .vertices(N, cell)
+            .iter()
+            .map(|v| *v as usize)
+            .collect();
+        let corner = |(i, vertex): (usize, &usize)| {
+            let at = place::<N>(*vertex, side).map(|i| i % PERIOD);
+            let move_by = |i: usize| 0.25 / side as f64 * pattern(seed, at.into_iter().chain([i]));
+            let moved: Vector<f64, N> = vector(move_by);
+            Some(torus.corner(cell, i)? + moved)
+        };
+        corners.push(vertices.iter().enumerate().filter_map(corner).collect());
+        cells.push(vertices);
+    }
+    Mesh::with_cell_charts(torus.count(0), &cells, &corners)
+}
+
+/// A metric on ℝ^N/2ℤ^N.
+#[derive(Clone, Copy, Debug)]
+pub struct Waves;
+
+impl<const N: usize> SmoothTensor<N> for Waves {
+    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
+        let wave = |size: f64, y: S, phase: f64| {
+            S::from_f64(size) * (S::from_f64(std::f64::consts::PI) * y + S::from_f64(phase)).sin()
+        };
+        symmetric(|i, j| match i == j {
+            true => S::one() + wave(0.15, x[i], 0.6 * i as f64),
+            false => wave(0.06, x[i] + x[j], 0.3 * (i + j) as f64),
+        })
+    }
+}
+
+/// The cells of a mesh with other points.
+fn moved<const N: usize>(mesh: &Mesh<N>, points: Vec<Vector<f64, N>>) -> Result<Mesh<N>, Error> {
+    let cell = |cell| mesh.vertices(N, cell).iter().map(|v| *v as usize).collect();
+    let cells: Vec<Vec<usize>> = (0..mesh.cell_count()).map(cell).collect();
+    Mesh::new(points, &cells)
+}
+
+/// The same, taken apart, with h.
+///
+/// # Errors
+/// As [`mesh`].
+pub fn pieces<const N: usize>(side: usize, seed: u64) -> Result<(Pieces<N>, f64), Error> {
+    let mesh = mesh::<N>(side, seed)?;
+    let h = mesh.mesh_size();
+    Ok((Pieces::new(mesh)?, h))
+}
+
+/// A mesh with all its points multiplied by a factor.
+///
+/// # Errors
+/// If it has no points.
+pub fn scaled<const N: usize>(mesh: &Mesh<N>, factor: f64) -> Result<Mesh<N>, Error> {
+    squeezed(mesh, [factor; N])
+}
+
+/// A mesh with the coordinates of its points multiplied by factors.
+///
+/// # Errors
+/// If it has no points.
+pub fn squeezed<const N: usize>(mesh: &Mesh<N>, factors: [f64; N]) -> Result<Mesh<N>, Error> {
+    let points = mesh.points().ok_or(Error::NoCoordinates("a scaled mesh"))?;
+    moved(
+        mesh,
+        points
+            .iter()
+            .map(|p| vector(|i| factors[i] * p[i]))
+            .collect(),
+    )
+}
+
+/// The smooth metric of these measurements: it has no symmetry.
+///
+/// # Errors
+/// If the mesh has no coordinates.
+pub fn smooth<const N: usize>(mesh: &Mesh<N>) -> Result<Smooth<Metric, N>, Error> {
+    Smooth::new(mesh, Metric::Trig)
+}
+
+/// A Regge metric near g on a cube's mesh: the canonical interpolant, its coefficients times 1 + a ξ with ξ from [−1, 1) in a
+/// random periodic pattern.
+///
+/// # Errors
+/// If g is not positive definite.
+pub fn near<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    r: usize,
+    a: f64,
+    seed: u64,
+) -> Result<ReggeFunction<f64, N>, Error> {
+    near_by(g, r, &|_, _| a, seed)
+}
+
+/// The same with an amplitude that depends on the simplex that a coefficient belongs to, by its dimension and number.
+///
+/// # Errors
+/// If g is not positive definite.
+pub fn near_by<M: SmoothTensor<N>, const N: usize>(
+    g: &Smooth<M, N>,
+    r: usize,
+    amplitude: &dyn Fn(&Mesh<N>, (usize, usize)) -> f64,
+    seed: u64,
+) -> Result<ReggeFunction<f64, N>, Error> {
+    let (space, mesh) = (ReggeSpace::new(g.mesh(), r), g.mesh());
+    let canonical = Interpolant::canonical()
+        .with_order(2 * r + 6)
+        .apply(&space, g)?;
+    let side = (mesh.count(0) as f64).powf(1.0 / N as f64).round() as usize;
+    // A torus has as many vertices as cubes in a direction, and its grid begins anew there.
+    let closed = mesh.is_closed();
+    let side = if closed { side } else { side - 1 };
+    let (mut owner, mut number) = ((0, 0), 0);
+    let shaken = canonical.coefficients().iter().enumerate().map(|(dof, c)| {
+        let now = space.numbering().owner(dof);
+        number = if now == owner { number + 1 } else { 0 };
+        owner = now;
+        let vertices = mesh.vertices(now.0, now.1);
+        let grid = if closed { side } else { side + 1 };
+        let places: Vec<[usize; N]> = (vertices.iter())
+            .map(|&vertex| place(vertex as usize, grid))
+            .collect();
+        // Where the first vertex is in its block, and the others relative to it, one to the right or left.
+        let relative = (places.iter())
+            .flat_map(|p| (0..N).map(|i| ((p[i] + grid - places[0][i]) % grid).min(2)));
+        let block = places[0].map(|i| i % PERIOD).into_iter();
+        let key: Vec<usize> = block.chain(relative).chain([number]).collect();
+        c * (1.0 + amplitude(mesh, now) * pattern(seed, key.into_iter()))
+    });
+    space.function(shaken.collect())
+}
