@@ -6,6 +6,7 @@ mod action;
 mod common;
 mod conventions;
 mod documents;
+mod enclosed;
 mod evaluation;
 mod exactness;
 mod field;

@@ -192,3 +192,37 @@ fn higher_degrees_have_an_action_and_an_einstein_tensor() {
     let plane = run(&folder, "einstein", "--mesh p.json --metric p.toml");
     assert_eq!(plane.status.code(), Some(2));
 }
+
+/// Enclosures contain the closed forms, and the only integer is the Euler characteristic.
+#[test]
+fn certified_numbers() {
+    let folder = folder("certified");
+    let bounds = |value: &Value| [0, 1].map(|k| value[k].as_f64().expect("a number"));
+    for (n, count, size) in [(2, 4, 1.0), (3, 10, 1.0), (4, 20, 3f64.sqrt() / 4.0)] {
+        files(&folder, n, &simplex_boundary(n), 1.0);
+        let arguments = "--mesh m.json --lengths l.csv --certified";
+        let of = |command: &str| json(&folder, command, arguments)["enclosures"].clone();
+        let enclosures = of("action");
+        let defect = 2.0 * PI - 3.0 * (1.0 / f64::from(n as u32)).acos();
+        let wanted = f64::from(count) * defect * size;
+        let [low, high] = bounds(&enclosures["action"]);
+        assert!(
+            low <= wanted && wanted <= high && high - low < 1e-11,
+            "{low} {high}"
+        );
+        let hinges = enclosures["hinges"].as_array().expect("a list");
+        assert_eq!(hinges.len(), count as usize);
+        for hinge in hinges {
+            let [low, high] = bounds(&hinge["defect"]);
+            assert!(low <= defect && defect <= high && high < defect + 1e-9);
+        }
+        let chi = &of("curvature")["euler_characteristic"];
+        assert_eq!(chi.as_i64(), (n == 2).then_some(2));
+    }
+    let refused = run(
+        &folder,
+        "action",
+        "--mesh m.json --lengths l.csv --certified --degree 1",
+    );
+    assert_eq!(refused.status.code(), Some(2));
+}

@@ -289,6 +289,7 @@ fn nothing_is_done_twice() {
         details: true,
         fields: true,
         table: false,
+        certified: false,
     };
     let phases = std::cell::RefCell::new(Vec::new());
     let report = curvature(&mesh, &source, &request, &|phase| {

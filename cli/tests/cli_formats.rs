@@ -56,6 +56,8 @@ fn what_is_written_is_what_the_schema_says() {
         ("curvature", format!("{space} --degree 1 --quadrature 4")),
         ("einstein", format!("{space} --degree 1")),
         ("action", space.to_owned()),
+        ("action", format!("{space} --certified")),
+        ("curvature", format!("{metric} --certified")),
         ("action", format!("{space} --degree 1")),
         (
             "converge",

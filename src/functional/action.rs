@@ -136,7 +136,7 @@ pub fn action_hessian<const N: usize>(
     Ok(entries)
 }
 
-fn check_degree<const N: usize>(g: &ReggeFunction<f64, N>) -> Result<(), Error> {
+pub(super) fn check_degree<const N: usize>(g: &ReggeFunction<f64, N>) -> Result<(), Error> {
     match g.space().degree() {
         0 => Ok(()),
         r => Err(Error::Input(format!(

@@ -12,6 +12,7 @@
 //! | [`einstein_against`] | the same against every Regge basis function | def:distein |
 //! | [`regge_action`], [`action_gradient`], [`action_hessian`] | Regge's action and equations | |
 //! | [`angle_defects`], [`cell_volumes`] | Θ_S at barycentres, sizes of hinges and cells | |
+//! | [`enclosed`] | Θ_S, \|S\|, the action and its gradient, with proven digits | |
 //! | [`integrate`] | any density on k-simplices, seen from the cells around | |
 //!
 //! The three sums over cells T, faces F and hinges S are kept apart. A measure is evaluated cell by cell and knows nothing of
@@ -22,6 +23,7 @@ mod action;
 mod around;
 mod curvature;
 mod einstein;
+mod enclosed;
 mod hessian;
 mod integrate;
 mod measure;
@@ -40,6 +42,7 @@ pub use curvature::{
     smooth_curvature, smooth_curvatures,
 };
 pub use einstein::{a_h, einstein, einstein_against};
+pub use enclosed::{Enclosed, enclosed};
 pub use hessian::b_h;
 pub use integrate::integrate;
 pub use rules::{Rules, Sums, Three};

@@ -9,13 +9,15 @@
 //! | [`Real`] | transcendental functions, angles | angle defects, formulas for g, quadrature |
 //!
 //! `f64` and every copyable number of the crate num-dual (nested ones too) stand on all three levels, and so do
-//! the SIMD `Lanes`. A prime field stands on the first two: where a root or an inverse does not exist it
+//! the SIMD `Lanes`. A prime field and [`Interval`]s stand on the first two: where a root or an inverse does not exist it
 //! answers with a value that poisons all that is computed from it, as NaN does.
 
 mod dual;
+mod interval;
 #[cfg(feature = "lanes")]
 mod lanes;
 
+pub use interval::Interval;
 #[cfg(feature = "lanes")]
 pub use lanes::Lanes;
 

@@ -1,5 +1,6 @@
 //! Regge's action and its gradient in the edge lengths.
 
+use super::enclosed::{Enclosures, enclosures};
 use super::given::{Given, Phase, Source, by_dimension};
 use super::report::About;
 use super::settle::{Orders, settle_sums};
@@ -26,6 +27,9 @@ pub struct ActionReport {
     pub largest: Option<f64>,
     /// The largest |Σ_S |S| ∂θ_S/∂ℓ| over cells and edges: 0 by Schläfli's identity, up to rounding.
     pub schlaefli: Option<f64>,
+    /// What is proven of the numbers, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub enclosures: Option<Enclosures>,
 }
 
 /// What an edge does to the action.
@@ -48,10 +52,16 @@ pub fn action(
     source: &Source,
     degree: usize,
     quadrature: Option<usize>,
+    certified: bool,
     phase: Phase<'_>,
 ) -> Result<ActionReport, CurvatureError> {
     by_dimension!(mesh, N => {
-        report(&Given::<N>::new(mesh, source, degree, phase)?, quadrature, phase)
+        let given = Given::<N>::new(mesh, source, degree, phase)?;
+        let mut report = report(&given, quadrature, phase)?;
+        if certified {
+            report.enclosures = Some(enclosures(&given, phase)?);
+        }
+        Ok(report)
     })
 }
 
@@ -75,6 +85,7 @@ fn report<const N: usize>(
         gradient: None,
         largest: None,
         schlaefli: None,
+        enclosures: None,
     };
     if report.about.degree == 0 {
         phase("differentiating the action");

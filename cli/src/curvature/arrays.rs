@@ -92,6 +92,7 @@ impl Arrays for CurvatureReport {
             hinges: None,
             faces: None,
             cells: None,
+            enclosures: self.enclosures.clone(),
             fields: None,
             ..*self
         };

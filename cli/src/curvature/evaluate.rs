@@ -1,5 +1,6 @@
 //! A Regge metric's sums, norm and local curvature, gathered in a report.
 
+use super::enclosed::enclosures;
 use super::fields::fields;
 use super::given::{Given, Phase};
 use super::norm::Norm;
@@ -70,6 +71,9 @@ pub fn report<const N: usize>(
     if each {
         phase("integrating simplex by simplex");
         simplex_by_simplex(given, request, &tests, &sums, &mut report);
+    }
+    if request.certified {
+        report.enclosures = Some(enclosures(given, phase)?);
     }
     Ok(report)
 }

@@ -4,6 +4,7 @@ mod action;
 mod arrays;
 mod drawn;
 mod einstein;
+mod enclosed;
 mod evaluate;
 mod fields;
 mod given;
@@ -21,6 +22,7 @@ pub use action::{ActionReport, EdgeDerivative, action};
 pub use arrays::Arrays;
 pub use drawn::{Fields, FlatPiece};
 pub use einstein::{EinsteinReport, EinsteinSums, einstein};
+pub use enclosed::{Bounds, EdgeEnclosure, Enclosures, HingeEnclosure};
 pub use given::{Phase, Source};
 pub use norm::LARGEST_WITH_NORM;
 pub use report::{
@@ -67,6 +69,8 @@ pub struct Request {
     pub fields: bool,
     /// The table of the vertices, with R_h there?
     pub table: bool,
+    /// Enclosures? For degree 0 only.
+    pub certified: bool,
 }
 
 /// Why there is no curvature.

@@ -1,6 +1,7 @@
 //! What `regge curvature` writes.
 
 use super::drawn::Fields;
+use super::enclosed::Enclosures;
 use super::given::Given;
 use super::settle::{SUMS_SETTLE, Settled};
 use super::topology::Piece;
@@ -49,6 +50,9 @@ pub struct CurvatureReport {
     pub faces: Option<Vec<FaceJump>>,
     /// ∫ R ω of the cells, in the order of the file.
     pub cells: Option<Vec<f64>>,
+    /// What is proven of the numbers, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub enclosures: Option<Enclosures>,
     /// What there is to be seen, if that was asked for.
     #[serde(skip)]
     pub fields: Option<Fields>,

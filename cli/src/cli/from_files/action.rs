@@ -25,6 +25,9 @@ Examples:
 pub struct Args {
     #[command(flatten)]
     given: Given,
+    /// Also intervals that provably contain the action, its gradient and all angles (degree 0)
+    #[arg(long)]
+    certified: bool,
     #[command(flatten)]
     files: Files,
 }
@@ -38,6 +41,7 @@ impl Args {
             let reason = "the gradient in the edge lengths is for degree 0: see regge einstein";
             return Err(Stop::Usage(reason.into()));
         }
+        files::check_certified(self.certified, self.given.degree)?;
         let voice = common.voice(&files);
         let phases = voice.phases(PHASES);
         let begin = |what: &str| phases.begin(what);
@@ -45,7 +49,8 @@ impl Args {
         let (mesh, source) = (self.given.mesh()?, self.given.source()?);
         let (degree, order) = (self.given.degree, self.given.quadrature());
         memory::check(common, &mesh, degree, None)?;
-        let report = action(&mesh, &source, degree, order, &begin).map_err(stopped)?;
+        let report =
+            action(&mesh, &source, degree, order, self.certified, &begin).map_err(stopped)?;
         begin("writing");
         self.files.write(&report, table)?;
         drop(phases);
@@ -64,6 +69,11 @@ impl Args {
         if let (Some(largest), Some(residual)) = (report.largest, report.schlaefli) {
             writeln!(out, "largest derivative in an inner edge {largest:.6e}")?;
             writeln!(out, "Schlaefli's identity holds to {residual:.1e}")?;
+        }
+        if let Some(enclosures) = &report.enclosures {
+            let [low, high] = enclosures.action;
+            writeln!(out, "certified: action in [{low:.15e}, {high:.15e}]")?;
+            files::show_certified(out, enclosures)?;
         }
         Ok(output::show_written(out, &self.files.list())?)
     }

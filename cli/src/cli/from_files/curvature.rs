@@ -55,6 +55,9 @@ pub struct Args {
     /// What is done on the boundary
     #[arg(long, default_value = "none")]
     boundary: AtBoundary,
+    /// Also intervals that provably contain the angle defects and, for surfaces, the Euler characteristic (degree 0)
+    #[arg(long)]
+    certified: bool,
     #[command(flatten)]
     files: Files,
     /// Write mesh and fields to this file, for ParaView
@@ -123,6 +126,7 @@ impl Args {
         self.vtu.as_deref().map_or(Ok(()), check_vtu)?;
         self.simplices.check()?;
         self.view()?;
+        files::check_certified(self.certified, self.given.degree)?;
         self.given.check(&self.outputs())
     }
 
@@ -197,6 +201,7 @@ impl Args {
                 || self.plot.is_some()
                 || self.simplices.want_fields(),
             table: self.files.csv.is_some(),
+            certified: self.certified,
         }
     }
 
@@ -237,6 +242,9 @@ impl Args {
             let flat = 4.0 * PI * report.euler_characteristic as f64;
             writeln!(out, "4 pi chi        {flat:.12e}")?;
             writeln!(out, "Gauss-Bonnet residual {residual:.3e}")?;
+        }
+        if let Some(enclosures) = &report.enclosures {
+            files::show_certified(out, enclosures)?;
         }
         show_pieces(report, out)?;
         for norm in report.norms.values() {

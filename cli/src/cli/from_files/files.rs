@@ -1,6 +1,6 @@
 //! The files of a report, and what its first lines on the terminal say: shared by the commands for meshes from files.
 
-use regge_cli::curvature::{About, Arrays, Parts};
+use regge_cli::curvature::{About, Arrays, Enclosures, Parts};
 use regge_cli::npz;
 use regge_terminal::output::{self, Named};
 use regge_terminal::{Out, Stop, Voice};
@@ -54,6 +54,37 @@ impl Files {
     pub fn want_details(&self) -> bool {
         self.json.is_some() || self.npz.is_some()
     }
+}
+
+/// Enclosures are for edge lengths.
+pub fn check_certified(certified: bool, degree: usize) -> Result<(), Stop> {
+    if certified && degree > 0 {
+        let reason = format!("--certified is for degree 0, not {degree}");
+        return Err(Stop::Usage(reason));
+    }
+    Ok(())
+}
+
+/// What is proven of a metric.
+pub fn show_certified(out: &mut Out, enclosures: &Enclosures) -> io::Result<()> {
+    if let Some([low, high]) = enclosures.over_two_pi {
+        match enclosures.euler_characteristic {
+            Some(chi) => writeln!(
+                out,
+                "certified: Euler characteristic {chi}, the only integer in [{low:.15}, {high:.15}]"
+            )?,
+            None => writeln!(
+                out,
+                "certified: Euler characteristic in [{low:e}, {high:e}], which is too wide"
+            )?,
+        }
+    }
+    let count = enclosures.hinges.len();
+    let widest = enclosures.widest_angle;
+    writeln!(
+        out,
+        "certified: {count} angle defects, each to {widest:.1e} at most"
+    )
 }
 
 /// The lists of a report, and what stands alone in it as text.
