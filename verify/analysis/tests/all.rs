@@ -24,8 +24,8 @@ fn a_quick_run_holds() {
         quick: true,
     };
     let report = run(&effort, &[], &|_, _| ()).expect("everything can be measured");
-    // A07 and A21 are left out: they need larger meshes.
-    assert_eq!(report.claims.len() + 2, ALL.len());
+    // A07, A21 and A23 are left out: they need larger meshes.
+    assert_eq!(report.claims.len() + 3, ALL.len());
     let table = report.table();
     assert!(report.failures().is_empty(), "{table}");
 }

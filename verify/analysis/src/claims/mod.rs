@@ -7,6 +7,7 @@ mod jumps;
 mod point;
 mod rates;
 mod segment;
+mod terms;
 mod trace;
 
 use crate::claim::Claim;
@@ -34,4 +35,6 @@ pub const ALL: &[Claim] = &[
     rates::A20,
     rates::A21,
     rates::A22,
+    terms::A23,
+    terms::A24,
 ];
