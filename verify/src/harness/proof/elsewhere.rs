@@ -57,6 +57,6 @@ fn refuted(here: &Equation<Ratio>, name: &str, place: &str) -> Option<String> {
         .iter()
         .find(|x| **x != Ratio::zero() && !x.is_poison())?;
     Some(format!(
-        "left − right = {x:?} in other coordinates, where {place} before"
+        "left − right = {x:?} in other coordinates, where {place} before (parameters are 2)"
     ))
 }

@@ -41,6 +41,7 @@ pub(super) fn settle(rootless: &Rootless, jets: &Jets<'_>) -> Option<Settled> {
     let essential: Vec<Recorded> = terms.chain(&rootless.compared).copied().collect();
     let needed = program.needed(essential.iter().copied());
     let all = program.needed(essential.iter().copied().chain(equation.numbers()));
+    let used = program.inputs(&all);
     let points = Points::new(rootless, &all, jets)?;
     let mut trials: Vec<Trial> = Vec::new();
     let (mut counterexample, mut at) = (None, Vec::new());
@@ -51,10 +52,10 @@ pub(super) fn settle(rootless: &Rootless, jets: &Jets<'_>) -> Option<Settled> {
         counterexample = judged(rootless, &values);
         if counterexample.is_none() && open {
             let here = equation.map(&|x| values[x.place()]);
-            counterexample = tried(&here, &mut trials, &|| jets.list(numbers).join(", "));
+            counterexample = tried(&here, &mut trials, &|| jets.list(&used, numbers).join(", "));
         }
         if counterexample.is_some() {
-            at = jets.list(numbers);
+            at = jets.list(&used, numbers);
         }
         counterexample.is_none()
     });
@@ -67,16 +68,17 @@ pub(super) fn settle(rootless: &Rootless, jets: &Jets<'_>) -> Option<Settled> {
 }
 
 impl Jets<'_> {
-    /// The numbers that are not zero, by name.
-    fn list(&self, numbers: &[Ratio]) -> Vec<String> {
-        let named = self.variables.iter().zip(numbers);
-        let nonzero = named.filter(|(v, x)| **x != Ratio::zero() && !v.group.is_empty());
-        let listed: Vec<String> = nonzero
-            .map(|(v, x)| format!("{} = {x:?}", v.name))
-            .collect();
+    /// The jets that are not zero, and the parameters among these inputs.
+    fn list(&self, used: &[usize], numbers: &[Ratio]) -> Vec<String> {
+        let named = |k: &usize| format!("{} = {:?}", self.variables[*k].name, numbers[*k]);
+        let shown = used.iter().filter(|k| numbers[**k] != Ratio::zero());
+        let (parameters, jets): (Vec<usize>, Vec<usize>) =
+            shown.partition(|k| self.variables[**k].group.is_empty());
+        let mut listed: Vec<String> = jets.iter().map(named).collect();
         if listed.is_empty() {
-            return vec!["all jets vanish".to_owned()];
+            listed.push("all jets vanish".to_owned());
         }
+        listed.extend(parameters.iter().map(named));
         listed
     }
 
