@@ -1,7 +1,7 @@
 //! The matrix-free solver on domains that are no cubes.
 
 use crate::domains::{fichera, ring, rounded, slivers};
-use crate::norm_iterative::{agrees_up_to, random_load};
+use crate::norm_iterative::{self, agrees_up_to, random_load};
 use regge_curvature::mesh::Mesh;
 use regge_curvature::norm::{BiharmonicSolver, Hhj, Iterative};
 
@@ -86,24 +86,7 @@ fn steps_do_not_grow() {
 #[cfg(feature = "parallel")]
 #[test]
 fn threads_do_not_matter() {
-    let mesh = rounded::<3>(6);
-    let run = |threads: usize| -> Vec<u64> {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
-            let hhj = Hhj::new(&mesh, 2).unwrap();
-            let load = random_load(hhj.space().len(), 1);
-            let solver = Iterative::new(hhj).unwrap();
-            let found = solver.solve(&load, &mut |_| ()).unwrap();
-            found.coefficients.iter().map(|x| x.to_bits()).collect()
-        })
-    };
-    let one = run(1);
-    for threads in [2, 3, 8] {
-        assert!(one == run(threads), "{threads} threads");
-    }
+    norm_iterative::same_bits_for_any_threads(&rounded::<3>(6), 2);
 }
 
 /// With flat cells the iteration takes longer, and still gives the direct solver's norm.
