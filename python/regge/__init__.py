@@ -38,7 +38,6 @@ from ._errors import (
     VertexError,
 )
 from ._functions import ReggeFunction, ReggeSpace
-from ._interop import fit_ngsolve, from_ngsolve_metric
 from ._mesh import Mesh, read
 from ._metrics import (
     Metric,
@@ -50,6 +49,7 @@ from ._metrics import (
     metric,
     read_metric,
 )
+from ._ngsolve import fit_ngsolve, from_ngsolve_metric
 from ._norms import ErrorNorm, error_norm, norms
 from ._regge import known_metrics, num_threads, set_num_threads, unused_width
 

@@ -113,3 +113,9 @@ def points_in_cells(values: Any, name: str, dimension: int, rows: int | str = "n
         row = int(np.argmax(off > 1e-9))
         raise ValueError(f"{name}: the barycentric coordinates of row {row} add up to {points[row].sum()}")
     return points
+
+
+def read_only(array: Any) -> Any:
+    """The array, which cannot be written to from now on."""
+    array.flags.writeable = False
+    return array

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import comb
 from typing import Any, Literal, Union
 
 import numpy as np
@@ -193,20 +192,6 @@ def curvature(
     """
     g, q = _require_metric(g), _arrays.degree(test_degree, "test_degree", low=1)
     return Curvature(g, q, _order(g, q, order), boundary, progress)
-
-
-def _counted(space: ReggeSpace, test_degree: int, boundary: Boundary) -> Floats:
-    """(m,) array of 1 for test functions that count for the derivative of the curvature, and 0 for the others."""
-    mesh = space.mesh
-    q = _arrays.degree(test_degree, "test_degree", low=1)
-    counted: list[Floats] = []
-    for k in range(mesh.dimension + 1):
-        # Bernstein polynomials that charge all k + 1 vertices of a k-simplex: C(q−1, k).
-        of_simplices = np.ones(mesh.count(k))
-        if not _with_boundary(boundary):
-            of_simplices[mesh.boundary(k)] = 0
-        counted.append(np.repeat(of_simplices, comb(q - 1, k)))
-    return np.concatenate(counted)
 
 
 SigmaLike = Union[ReggeFunction, Any]

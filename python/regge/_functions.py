@@ -8,9 +8,9 @@ from typing import Any, Literal
 import numpy as np
 
 from . import _arrays, _regge
-from ._arrays import Floats, Integers
+from ._arrays import Floats, Integers, read_only
 from ._errors import InputError, NoCoordinatesError
-from ._mesh import Mesh, _read_only
+from ._mesh import Mesh
 
 Frame = Literal["cartesian", "cell"]
 
@@ -35,7 +35,7 @@ class ReggeSpace:
     Examples
     --------
     >>> import regge
-    >>> space = regge.Mesh.cube(2, 1).space(1)
+    >>> space = regge.ReggeSpace(regge.Mesh.cube(2, 1), 1)
     >>> len(space), space.cell_dofs.shape
     (16, (2, 9))
     """
@@ -63,12 +63,12 @@ class ReggeSpace:
     @cached_property
     def cell_dofs(self) -> Integers:
         """(m, L) array: the numbers of the functions of each cell, by edge ab, then by α, both in lexicographic order."""
-        return _read_only(self._native.cell_dofs())
+        return read_only(self._native.cell_dofs())
 
     @cached_property
     def owners(self) -> Integers:
         """(n, 2) array: the dimension and the number of the simplex that each degree of freedom belongs to."""
-        return _read_only(self._native.owners())
+        return read_only(self._native.owners())
 
     def tabulate(self, points: Any) -> Floats:
         """The functions of a cell at points, in the coordinates ξ_i = λ_i of its vertices 1…N.

@@ -3,22 +3,15 @@
 from __future__ import annotations
 
 import os
+import warnings
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from . import _arrays, _interop, _regge
-from ._arrays import Floats, Integers
+from ._arrays import Floats, Integers, read_only
 from ._errors import NoCoordinatesError
-
-if TYPE_CHECKING:
-    from ._functions import ReggeSpace
-
-
-def _read_only(array: Any) -> Any:
-    array.flags.writeable = False
-    return array
 
 
 class Mesh:
@@ -55,7 +48,7 @@ class Mesh:
     <regge.Mesh: N = 3, 48 cells, 27 vertices>
     """
 
-    __slots__ = ("_native", "_embedding", "__dict__")
+    __slots__ = ("_native", "_embedding", "_curved", "__dict__")
 
     def __init__(self, points: Any, cells: Any) -> None:
         points = _arrays.floats(points, "points", ("n", "M"))
@@ -66,17 +59,22 @@ class Mesh:
                 f"points: have {points.shape[1]} coordinates, and cells of dimension {dimension} need {dimension}"
             )
         self._embedding: Floats | None = None
+        # The metric of curved cells, which only files have.
+        self._curved: _regge.Function | None = None
         if points.shape[1] == dimension:
             self._native = _regge.Mesh.of_points(points, cells)
         else:
             self._native = _regge.Mesh.of_cells(len(points), cells)
-            self._embedding = _read_only(points.copy())
+            self._embedding = read_only(points.copy())
 
     @classmethod
-    def _of(cls, native: _regge.Mesh, embedding: Floats | None = None) -> Mesh:
+    def _of(
+        cls, native: _regge.Mesh, embedding: Floats | None = None, curved: _regge.Function | None = None
+    ) -> Mesh:
         mesh = cls.__new__(cls)
         mesh._native = native
         mesh._embedding = embedding
+        mesh._curved = curved
         return mesh
 
     @classmethod
@@ -125,12 +123,12 @@ class Mesh:
 
         Coordinates beyond N are dropped if they are the same for all points. Points that no cell uses are left out.
         """
-        return _interop.from_meshio(cls, mesh)
+        return cls(*_interop.from_meshio(mesh))
 
     @classmethod
     def from_pyvista(cls, mesh: Any) -> Mesh:
         """From a PolyData of triangles, or an UnstructuredGrid of triangles or tetrahedra, of PyVista."""
-        return _interop.from_pyvista(cls, mesh)
+        return cls(*_interop.from_pyvista(mesh))
 
     @classmethod
     def from_ngsolve(cls, mesh: Any) -> Mesh:
@@ -139,7 +137,7 @@ class Mesh:
         Vertices and elements keep their order. Cells are affine: curved elements are taken by their vertices, and a
         warning says so.
         """
-        return _interop.from_ngsolve(cls, mesh)
+        return cls(*_interop.from_ngsolve(mesh))
 
     def to_pyvista(self, **data: Any) -> Any:
         """As a `pyvista.UnstructuredGrid`, N ≤ 3.
@@ -149,7 +147,7 @@ class Mesh:
         **data : array_like
             Values by vertex or by cell, by name.
         """
-        return _interop.to_pyvista(self, data)
+        return _interop.to_pyvista(self.points, self.cells, data)
 
     def perturbed(self, amount: float, seed: int) -> Mesh:
         """The mesh with every coordinate of its inner vertices moved by up to `amount`, the same for a seed on every machine.
@@ -173,7 +171,7 @@ class Mesh:
     def points(self) -> Floats | None:
         """(n, M) array, read-only: the points of the vertices; None for abstract meshes and those with several charts."""
         points = self._native.points() if self._embedding is None else self._embedding
-        return None if points is None else _read_only(points)
+        return None if points is None else read_only(points)
 
     @property
     def is_immersed(self) -> bool:
@@ -184,14 +182,14 @@ class Mesh:
     def corners(self) -> Floats | None:
         """(m, N+1, N) array: the corners of the cells in ℝ^N, in the order of their vertices; None without coordinates."""
         corners = self._native.corners()
-        return None if corners is None else _read_only(corners)
+        return None if corners is None else read_only(corners)
 
     def simplices(self, k: int) -> Integers:
         """(n_k, k+1) array, read-only: the vertices of the k-simplices, 0 ≤ k ≤ N, ascending in each row."""
         k = _arrays.integer(k, "k", 0, self.dimension)
         cached: dict[int, Integers] = self.__dict__.setdefault("_simplices", {})
         if k not in cached:
-            cached[k] = _read_only(self._native.vertices(k))
+            cached[k] = read_only(self._native.vertices(k))
         return cached[k]
 
     @property
@@ -272,12 +270,6 @@ class Mesh:
             raise NoCoordinatesError("the mesh has no vertex coordinates, which its size needs")
         return self._native.mesh_size
 
-    def space(self, degree: int) -> ReggeSpace:
-        """The Regge space of degree r on this mesh."""
-        from ._functions import ReggeSpace
-
-        return ReggeSpace(self, degree)
-
     def __repr__(self) -> str:
         n = self.dimension
         kind = " without coordinates" if self._embedding is None and self.corners is None else ""
@@ -287,7 +279,8 @@ class Mesh:
 def read(path: str | os.PathLike[str], *, coordinates: bool = True) -> Mesh:
     """Reads a mesh from a file, in the formats of the command line.
 
-    A surface in space is immersed, see `Mesh`; `induced` is its metric.
+    A surface in space is immersed, see `Mesh`; `induced` is its metric, for curved cells too. What was done to the contents of the
+    file (points that no cell uses are left out, corners of STL are welded) is a warning each.
 
     Parameters
     ----------
@@ -301,5 +294,7 @@ def read(path: str | os.PathLike[str], *, coordinates: bool = True) -> Mesh:
     FileError
         With the line or byte of what is wrong.
     """
-    native, points = _regge.Mesh.read(os.fspath(path), not coordinates)
-    return Mesh._of(native, None if points is None else _read_only(points))
+    native, points, curved, notes = _regge.Mesh.read(os.fspath(path), not coordinates)
+    for note in notes:
+        warnings.warn(f"{os.fspath(path)}: {note}", stacklevel=2)
+    return Mesh._of(native, None if points is None else read_only(points), curved)

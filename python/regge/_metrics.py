@@ -287,6 +287,8 @@ def lengths(mesh: Mesh, lengths: Any) -> ReggeFunction:
 def induced(mesh: Mesh) -> ReggeFunction:
     """The metric of the space that the points of a mesh lie in: degree 0, the edges as long as they are there.
 
+    On curved cells of order k, which a file may have, it is F*δ of their map F to space, of degree 2(k − 1).
+
     Parameters
     ----------
     mesh : Mesh
@@ -297,6 +299,10 @@ def induced(mesh: Mesh) -> ReggeFunction:
     NoCoordinatesError
         If the mesh has no points.
     """
+    if mesh._curved is not None:
+        function = ReggeFunction._of(ReggeSpace(mesh, mesh._curved.degree), mesh._curved)
+        function.check()
+        return function
     if mesh.points is not None:
         ends = mesh.points[mesh.edges]
         squares = ((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1)

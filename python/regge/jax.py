@@ -8,7 +8,7 @@ from typing import Any
 import jax
 import numpy as np
 
-from . import _curvature
+from ._autodiff import OfCoefficients
 from ._curvature import Boundary
 from ._functions import ReggeSpace
 
@@ -32,27 +32,19 @@ def curvature(
         For float64 arrays of length `len(space)`: JAX computes in float32 unless `jax_enable_x64` is set, and a ValueError
         says so. It runs on the host, and can be jitted.
     """
-    inner = _curvature._counted(space, test_degree, boundary)
+    ours = OfCoefficients(space, test_degree, boundary, order)
 
-    def value(c: Any) -> Any:
-        g = space.function(np.asarray(c))
-        return inner * _curvature.curvature(g, test_degree, boundary, order=order).total
-
-    def pulled(c: Any, w: Any) -> Any:
-        g = space.function(np.asarray(c))
-        return _curvature.curvature_vjp(g, np.asarray(w), test_degree, boundary, order=order)
-
-    def call(function: Callable[..., Any], length: int, *arguments: Any) -> Any:
+    def on_host(function: Callable[..., Any], length: int, *arguments: Any) -> Any:
         if any(a.dtype != np.float64 for a in arguments):
             raise ValueError("regge computes in float64: jax.config.update('jax_enable_x64', True)")
         return jax.pure_callback(function, jax.ShapeDtypeStruct((length,), np.float64), *arguments)
 
     @jax.custom_vjp
     def primal(c: Any) -> Any:
-        return call(value, len(inner), c)
+        return on_host(ours.value, len(ours.counted), c)
 
     def backward(c: Any, w: Any) -> Any:
-        return (call(pulled, len(space), c, w),)
+        return (on_host(ours.pulled_back, len(space), c, w),)
 
     primal.defvjp(lambda c: (primal(c), c), backward)
     return primal

@@ -7,46 +7,33 @@ from typing import Any
 
 import torch
 
-from . import _curvature
+from ._autodiff import OfCoefficients
 from ._curvature import Boundary
 from ._functions import ReggeSpace
+
+
+class _Curvature(torch.autograd.Function):
+    @staticmethod
+    def forward(ctx: Any, ours: OfCoefficients, c: Any) -> Any:
+        ctx.ours = ours
+        ctx.save_for_backward(c)
+        return torch.from_numpy(ours.value(c.detach().numpy()))
+
+    @staticmethod
+    def backward(ctx: Any, *w: Any) -> Any:
+        (c,) = ctx.saved_tensors
+        return None, torch.from_numpy(ctx.ours.pulled_back(c.detach().numpy(), w[0].detach().numpy()))
 
 
 def curvature(
     space: ReggeSpace, test_degree: int = 1, boundary: Boundary = "none", *, order: int | None = None
 ) -> Callable[[Any], Any]:
-    """The function c ↦ `regge.curvature(g).total` of the coefficients c of g, with its reverse derivative.
-
-    Parameters
-    ----------
-    space : ReggeSpace
-        The space of g.
-    test_degree, boundary, order
-        As for `regge.curvature`. Unless the boundary is "gauss-bonnet", entries of test functions that do not vanish on the
-        boundary are 0, as their derivatives are.
-
-    Returns
-    -------
-    callable
-        For float64 tensors of length `len(space)` on the CPU.
-    """
-    inner = torch.from_numpy(_curvature._counted(space, test_degree, boundary))
-
-    class Curvature(torch.autograd.Function):
-        @staticmethod
-        def forward(ctx: Any, c: Any) -> Any:
-            g = space.function(c.detach().numpy())
-            ctx.g = g
-            return inner * torch.from_numpy(_curvature.curvature(g, test_degree, boundary, order=order).total)
-
-        @staticmethod
-        def backward(ctx: Any, *w: Any) -> Any:
-            weights = w[0].detach().numpy()
-            return torch.from_numpy(_curvature.curvature_vjp(ctx.g, weights, test_degree, boundary, order=order))
+    """As `regge.jax.curvature`, for float64 tensors of length `len(space)` on the CPU."""
+    ours = OfCoefficients(space, test_degree, boundary, order)
 
     def call(c: Any) -> Any:
         if c.dtype != torch.float64 or c.device.type != "cpu":
             raise ValueError(f"regge computes in float64 on the CPU, not in {c.dtype} on {c.device}")
-        return Curvature.apply(c)
+        return _Curvature.apply(ours, c)
 
     return call

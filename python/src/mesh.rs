@@ -165,6 +165,14 @@ fn made<const N: usize>(mesh: Result<regge_curvature::Mesh<N>, impl Into<Failure
         .map_err(Into::into)
 }
 
+/// What is found in a file.
+type ReadFile<'py> = (
+    Mesh,
+    Option<Bound<'py, PyArray2<f64>>>,
+    Option<Function>,
+    Vec<String>,
+);
+
 /// A mesh.
 #[pyclass(frozen, module = "regge._regge")]
 pub struct Mesh {
@@ -223,24 +231,33 @@ impl Mesh {
         }))
     }
 
-    /// The mesh of a file, and its points where they are in a space of more dimensions; `forget` leaves all of them out.
+    /// The mesh of a file; its points where they are in a space of more dimensions, and the metric of curved cells there; what its
+    /// author may want to know. `forget` leaves points out.
     #[staticmethod]
-    fn read<'py>(
-        py: Python<'py>,
-        path: PathBuf,
-        forget: bool,
-    ) -> PyResult<(Self, Option<Bound<'py, PyArray2<f64>>>)> {
-        let (inner, width, points) = job::run(py, None, move |_| {
-            let file = read_mesh(&path)?;
+    fn read<'py>(py: Python<'py>, path: PathBuf, forget: bool) -> PyResult<ReadFile<'py>> {
+        let (inner, width, points, metric, notes) = job::run(py, None, move |_| {
+            let mut file = read_mesh(&path)?;
             let immersed = !forget && is_immersed(&file);
-            let inner = by_dimension!(file.dimension, N => match forget || immersed {
-                false if file.has_coordinates() => made(file.mesh::<N>()),
+            let mut metric = None;
+            let inner = by_dimension!(file.dimension, N => match &file.curved {
+                Some(_) if immersed => {
+                    let surface = file.immersion::<N>()?;
+                    metric = Some(Arc::new(surface.metric()) as Arc<dyn AnyFunction>);
+                    made(Ok::<_, Failure>(surface.mesh().clone()))
+                }
+                _ if !forget && !immersed && file.has_coordinates() => made(file.mesh::<N>()),
                 _ => made(file.abstract_mesh::<N>()),
             })?;
-            Ok((inner, file.width, immersed.then_some(file.coordinates)))
+            if let (Some(curved), false) = (&file.curved, forget || immersed) {
+                let order = curved.order;
+                let note = format!("cells of order {order} in ℝ^N are taken by their corners");
+                file.notes.push(note);
+            }
+            let points = immersed.then_some(file.coordinates);
+            Ok((inner, file.width, points, metric, file.notes))
         })?;
         let points = points.map(|all| array2(py, all, width)).transpose()?;
-        Ok((Self { inner }, points))
+        Ok((Self { inner }, points, metric.map(Function::new), notes))
     }
 
     fn perturbed(&self, amplitude: f64, seed: u64) -> PyResult<Self> {

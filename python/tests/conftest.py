@@ -21,7 +21,7 @@ class Oracle:
         self.data = json.loads(path.read_text())
         self.name = self.data["name"]
         self.mesh = regge.Mesh(self.data["vertices"], self.data["simplices"])
-        space = self.mesh.space(self.data["degree"])
+        space = regge.ReggeSpace(self.mesh, self.data["degree"])
         samples = self.data["samples"]
         x = np.array([sample["points"] for sample in samples])
         n = self.mesh.dimension

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import doctest
 import importlib
 import importlib.util
@@ -27,6 +28,25 @@ def test_examples_of_docstrings(name):
     result = doctest.testmod(module)
     assert result.failed == 0
     assert result.attempted > 0
+
+
+def _imports(file: Path) -> set[str]:
+    """The modules of this package that a file imports anywhere in it, for its types too."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            found |= {node.module} if node.module else {name.name for name in node.names}
+    return found
+
+
+def test_modules_import_downward():
+    """Taken away one after the other: each time there is one that imports none of those that are left."""
+    left = {file.stem: _imports(file) for file in Path(regge.__file__).parent.glob("*.py")}
+    assert {"_curvature", "_mesh"} <= left["__init__"]
+    while left:
+        lowest = [name for name, imported in left.items() if not imported & set(left)]
+        assert lowest, f"in a circle, or above one: {sorted(left)}"
+        left = {name: imported for name, imported in left.items() if name not in lowest}
 
 
 def test_everything_public_is_documented():

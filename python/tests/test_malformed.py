@@ -54,7 +54,7 @@ def test_a_thousand_malformed_arrays():
         lambda: regge.Mesh(points, _spoil(rng, cells)),
         lambda: regge.Mesh.abstract(9, _spoil(rng, cells)),
         lambda: regge.lengths(mesh, _spoil(rng, ones)),
-        lambda: regge.curvature(mesh.space(0).function(_spoil(rng, ones))),
+        lambda: regge.curvature(regge.ReggeSpace(mesh, 0).function(_spoil(rng, ones))),
         lambda: regge.b_h(g, _spoil(rng, ones) if rng.random() < 0.5 else np.ones(3) * np.nan),
         lambda: regge.curvature_vjp(g, np.full(9, np.nan) if rng.random() < 0.2 else _spoil(rng, np.ones((9, 1)))),
         lambda: g(0, _spoil(rng, barycentric)),

@@ -8,6 +8,9 @@ from conftest import ROOT
 
 import regge
 
+# Files of other programs, which the tests of the readers are about.
+SEEDS = ROOT / "cli" / "readers" / "seeds"
+
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5])
 def test_cubes_and_their_simplices(n):
@@ -126,3 +129,23 @@ def test_a_surface_from_a_file_is_immersed(tmp_path):
     np.testing.assert_allclose(regge.angle_defects(g).defects, np.pi, rtol=1e-14)
     with pytest.raises(regge.NoCoordinatesError):
         regge.interpolate(mesh, regge.formula("flat"))
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+def test_a_curved_surface_has_the_metric_of_its_cells(order):
+    """As Gmsh writes it, with its nodes moved outward: another area than the flat one's, and the same total 4πχ."""
+    file = SEEDS / "curved" / f"gmsh-2d-order{order}-4.1-binary.msh"
+    mesh = regge.read(file)
+    g = regge.induced(mesh)
+    assert mesh.is_immersed and g.degree == 2 * (order - 1)
+    assert abs(regge.curvature(g, order=30).total.sum() - 8 * np.pi) < 1e-6
+    flat = regge.induced(regge.Mesh(mesh.points, mesh.cells))
+    larger = regge.cell_volumes(g).sum() / regge.cell_volumes(flat).sum()
+    assert larger == pytest.approx(1) if order == 1 else larger > 1.01
+
+
+def test_what_is_done_to_a_file_is_a_warning():
+    with pytest.warns(UserWarning, match="12 corners were welded to 4 vertices"):
+        regge.read(SEEDS / "stl" / "trimesh-binary.stl")
+    with pytest.warns(UserWarning, match="cells of order 3 .* by their corners"):
+        regge.read(SEEDS / "curved" / "gmsh-3d-order3-4.1-ascii.msh")

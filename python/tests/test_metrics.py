@@ -174,9 +174,9 @@ def test_what_is_no_regge_function_is_not_fitted():
     mesh = regge.Mesh.cube(2, 1)
     values = np.array([np.eye(2), 2 * np.eye(2)])[:, None]
     with pytest.raises(regge.InputError, match="differ by"):
-        mesh.space(0).fit([[1 / 3] * 3], values)
+        regge.ReggeSpace(mesh, 0).fit([[1 / 3] * 3], values)
     with pytest.raises(regge.InputError, match="do not determine"):
-        mesh.space(1).fit([[1 / 3] * 3], values)
+        regge.ReggeSpace(mesh, 1).fit([[1 / 3] * 3], values)
 
 
 def test_interpolation_keeps_canonical_degrees_of_freedom(sphere):

@@ -49,7 +49,7 @@ def test_sums_are_those_of_ngsdiffgeo(square, order):
     g = ngsolve.GridFunction(ngsolve.HCurlCurl(square, order=order))
     g.Set(metric, dual=True, bonus_intorder=12)
     mesh = regge.Mesh.from_ngsolve(square)
-    ours = regge.fit_ngsolve(mesh.space(order), g)
+    ours = regge.fit_ngsolve(regge.ReggeSpace(mesh, order), g)
     points = np.array([[0.2, 0.3, 0.5]])
     x = points[0] @ mesh.corners[3]
     np.testing.assert_allclose(ours(3, points).ravel(), g(square(*x)), atol=1e-12)

@@ -94,7 +94,7 @@ def test_results_do_not_depend_on_threads(sphere):
 
 
 def _child(queue, coefficients):
-    g = regge.Mesh.cube(2, 4).space(0).function(coefficients)
+    g = regge.ReggeSpace(regge.Mesh.cube(2, 4), 0).function(coefficients)
     queue.put(regge.curvature(g).total)
 
 
