@@ -13,9 +13,14 @@ use std::path::Path;
 
 const FILE: &str = "trial";
 
-/// A mesh file, and the mesh that is built from it.
+/// A mesh file, and the meshes that are built from it.
 pub fn mesh(bytes: &[u8]) {
-    let Ok(file) = mesh_from(Path::new(FILE), bytes) else {
+    mesh_called(FILE, bytes);
+}
+
+/// [`mesh`] of a file with a name: its ending tells of formats that have no beginning.
+pub fn mesh_called(name: &str, bytes: &[u8]) {
+    let Ok(file) = mesh_from(Path::new(name), bytes) else {
         return;
     };
     match file.dimension {
@@ -30,6 +35,10 @@ pub fn mesh(bytes: &[u8]) {
 fn built<const N: usize>(file: &MeshFile) {
     let _ = file.mesh::<N>();
     let _ = file.abstract_mesh::<N>();
+    // The metric of its own points, if it is one.
+    if let Ok(immersion) = file.immersion::<N>() {
+        let _ = immersion.metric();
+    }
     let _ = file.cell_groups();
 }
 

@@ -9,6 +9,8 @@ mod stl;
 #[cfg(test)]
 mod tests;
 mod vtk;
+#[cfg(test)]
+mod written;
 
 use super::MeshFile;
 use crate::error::Fault;

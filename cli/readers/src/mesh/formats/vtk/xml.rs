@@ -112,7 +112,8 @@ fn piece(
                 let list = match tag.expect("Name")? {
                     "connectivity" => &mut arrays.connectivity,
                     "offsets" => &mut arrays.offsets,
-                    "types" => arrays.types.insert(Vec::new()),
+                    // Polygons are all of one kind.
+                    "types" if !surface => arrays.types.insert(Vec::new()),
                     _ => continue,
                 };
                 *list = numbers(&tag, tags.text(), storage)?;
