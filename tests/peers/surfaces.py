@@ -32,7 +32,8 @@ import trimesh
 
 # libigl and trimesh take the arc cosine of a cosine. Near 0 and π it has a derivative of 1/sin θ: an angle of 1e-3 or π − 1e-3 is
 # off by 1e-13 where the cosine is by one unit in the last place. The reference below has no such cancellation; what the peers
-# differ from it is theirs.
+# differ from it is theirs. Ours knows squared edge lengths, whose rounding changes the area of a triangle with an angle of s by a part
+# of eps/s^2, and its other angles with it: where that is more than the bound, it is the bound, and the surface is none of the five.
 BOUND = 1e-12
 TOTAL = 1e-10
 
@@ -109,7 +110,7 @@ def ours(regge, path, folder):
 
 
 def compare(name, regge, path, folder):
-    """A line of the table; is it within the bounds?"""
+    """A line of the table; is it within the bounds, and within those of any surface?"""
     result, said = ours(regge, path, folder)
     if result is None:
         print(f"{name:26} refused: {said}")
@@ -129,10 +130,13 @@ def compare(name, regge, path, folder):
     sharpest = min(angles.min(), math.pi - angles.max())
     apart = {peer: abs(k - values).max() for peer, values in theirs.items()}
     left = abs(k.sum() - 2 * math.pi * shape.euler_number) * 2
-    bound = max(BOUND, 8 * numpy.finfo(float).eps / sharpest)
+    eps = numpy.finfo(float).eps
+    known = max(BOUND, eps / sharpest**2)
+    bound = max(known, 8 * eps / sharpest)
     row = "  ".join(f"{peer} {value:7.1e}" for peer, value in apart.items())
     print(f"{name:26} {len(triangles):7} triangles  chi {shape.euler_number:3}  {row}  total {left:7.1e}  sharpest {sharpest:.1e}")
-    return apart["atan2"] <= BOUND and max(apart.values()) <= bound and left <= TOTAL
+    within = apart["atan2"] <= known and max(apart.values()) <= bound and left <= TOTAL
+    return within, within and max(apart.values()) <= BOUND
 
 
 def main():
@@ -141,8 +145,9 @@ def main():
         folder = pathlib.Path(name)
         results = [compare(name, regge, path, folder) for name, path in surfaces(folder)]
     closed = [result for result in results if result is not None]
-    print(f"{len(closed)} closed surfaces, {sum(closed)} within the bounds")
-    sys.exit(0 if len(closed) >= 5 and all(closed) else 1)
+    within, best = (sum(column) for column in zip(*closed))
+    print(f"{len(closed)} closed surfaces, {best} equal to {BOUND:.0e}, {within} within what their triangles allow")
+    sys.exit(0 if best >= 5 and within == len(closed) else 1)
 
 
 if __name__ == "__main__":
