@@ -56,6 +56,16 @@ fn every_help_has_an_example_and_the_common_options() {
     }
     let said = text(&regge(&folder, "--help").stdout);
     assert!(said.contains("cannot be read"), "what code 2 is: {said}");
+    // One default where there is no table to be met.
+    for command in ["converge", "curvature", "einstein", "action"] {
+        let said = text(&regge(&folder, &format!("{command} --help")).stdout);
+        assert!(said.contains("[default: canonical]"), "{command}: {said}");
+    }
+    let said = text(&regge(&folder, "reproduce --help").stdout);
+    assert!(
+        said.contains("[default: average-hierarchical, which the printed tables used"),
+        "{said}"
+    );
 }
 
 /// Files and numbers are the same whatever is said.

@@ -240,6 +240,21 @@ fn what_does_not_fit_is_refused_with_numbers() {
             &["4 cells needs about 19 MiB", "of 1 MiB"],
         );
     }
+    // What is listed function by function counts, and the factor by which it is projected.
+    write(&folder, "l.json", &grid(100));
+    for (degree, expected) in [
+        (2, "MiB of memory, of 10 MiB"),
+        (8, "GiB of memory, of 10 MiB"),
+    ] {
+        let command = "--mesh l.json --metric g.toml --memory-limit 0.01 --test-degree";
+        refused(
+            &folder,
+            "curvature",
+            &format!("{command} {degree}"),
+            2,
+            &[expected],
+        );
+    }
     refused(
         &folder,
         "converge",

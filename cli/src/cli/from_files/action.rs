@@ -3,7 +3,7 @@
 use super::super::common::Common;
 use super::files::{self, Files};
 use super::given::{Given, details, stopped};
-use super::memory;
+use super::memory::{self, Listed};
 use regge_cli::curvature::{ActionReport, action};
 use regge_terminal::{Out, Stop, output};
 use std::io::{self, Write};
@@ -48,7 +48,7 @@ impl Args {
         begin("reading the mesh");
         let (mesh, source) = (self.given.mesh()?, self.given.source()?);
         let (degree, order) = (self.given.degree, self.given.quadrature());
-        memory::check(common, &mesh, degree, None)?;
+        memory::check(common, &mesh, degree, Listed::Vertices, None)?;
         let report =
             action(&mesh, &source, degree, order, self.certified, &begin).map_err(stopped)?;
         begin("writing");

@@ -4,7 +4,7 @@ use super::super::common::Common;
 use super::super::picture;
 use super::files::{self, Files};
 use super::given::{Given, details, stopped};
-use super::memory;
+use super::memory::{self, Listed};
 use super::simplices::{SimplexFiles, check_vtu};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use regge_cli::curvature::{
@@ -108,7 +108,17 @@ impl Args {
         begin("reading the mesh");
         let mesh = self.given.mesh()?;
         self.check_mesh(&mesh)?;
-        memory::check(common, &mesh, self.given.degree, self.request().norm)?;
+        let listed = match self.test_degree {
+            Some(q) if q > 1 => Listed::Lagrange(q as usize),
+            _ => Listed::Vertices,
+        };
+        memory::check(
+            common,
+            &mesh,
+            self.given.degree,
+            listed,
+            self.request().norm,
+        )?;
         let source = self.given.source()?;
         let report = curvature(&mesh, &source, &self.request(), &begin).map_err(stopped)?;
         begin("writing");

@@ -3,7 +3,7 @@
 use super::super::common::Common;
 use super::files::{self, Files};
 use super::given::{Given, details, stopped};
-use super::memory;
+use super::memory::{self, Listed};
 use regge_cli::curvature::{EinsteinReport, einstein};
 use regge_terminal::{Out, Stop, output};
 use std::io::{self, Write};
@@ -40,7 +40,7 @@ impl Args {
         begin("reading the mesh");
         let (mesh, source) = (self.given.mesh()?, self.given.source()?);
         let (degree, order) = (self.given.degree, self.given.quadrature());
-        memory::check(common, &mesh, degree, None)?;
+        memory::check(common, &mesh, degree, Listed::Regge(degree), None)?;
         let report = einstein(&mesh, &source, degree, order, &begin).map_err(stopped)?;
         begin("writing");
         self.files.write(&report, table)?;
