@@ -216,15 +216,27 @@ pub struct JetTable<T, const N: usize> {
 impl<T: Real, const N: usize> JetTable<T, N> {
     /// Of a basis at points.
     pub fn new(basis: &Bernstein, points: &Points) -> Self {
-        let jets = basis.tabulate_jets::<T, N>(points);
-        let all = || jets.iter().flatten();
-        let upper =
-            |b: &Jet2<T, N>| -> Vec<T> { (0..N).flat_map(|m| b.dd[m][m..].to_vec()).collect() };
-        Self {
+        let mut table = Self {
             size: basis.len(),
-            values: all().map(|b| b.value).collect(),
-            first: all().map(|b| b.d).collect(),
-            second: all().flat_map(upper).collect(),
+            values: Vec::new(),
+            first: Vec::new(),
+            second: Vec::new(),
+        };
+        for b in 0..points.blocks::<T>() {
+            let lambda = barycentric_jets::<T, N>(points, b);
+            for a in 0..basis.len() {
+                table.push(&basis.value(a, &lambda));
+            }
+        }
+        table
+    }
+
+    /// The next B_α of a block.
+    fn push(&mut self, b: &Jet2<T, N>) {
+        self.values.push(b.value);
+        self.first.push(b.d);
+        for m in 0..N {
+            self.second.extend_from_slice(&b.dd[m][m..]);
         }
     }
 

@@ -24,7 +24,10 @@ impl Array {
     }
 
     fn list<const B: usize>(kind: &str, list: impl Iterator<Item = [u8; B]>) -> Self {
-        let bytes: Vec<u8> = list.flatten().collect();
+        let mut bytes = Vec::new();
+        for entry in list {
+            bytes.extend_from_slice(&entry);
+        }
         Self {
             kind: kind.into(),
             shape: vec![bytes.len() / B],

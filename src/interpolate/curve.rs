@@ -2,7 +2,7 @@
 
 use crate::field::Ambient;
 use crate::jet::{Jet2, lower};
-use crate::linalg::{Mat, Vector, form, indefinite_pivot};
+use crate::linalg::{Mat, Vector, apply, contract, form, indefinite_pivot, matrix, vector};
 use crate::quadrature::gauss_legendre;
 use nalgebra::{DMatrix, DVector};
 
@@ -158,12 +158,13 @@ struct Lagrangian<const N: usize> {
 impl<const N: usize> Lagrangian<N> {
     fn new(g: &Mat<Jet2<f64, N>, N>, v: &Vector<f64, N>) -> Self {
         let value = g.map(|j| j.value);
-        let d: [Mat<f64, N>; N] = std::array::from_fn(|m| g.map(|j| j.d[m]));
+        let dg_v: [Vector<f64, N>; N] =
+            std::array::from_fn(|m| apply(&matrix(|i, j| g[(i, j)].d[m]), v));
         Self {
-            x: Vector::from_fn(|m, _| 0.5 * form(&d[m], v, v)),
-            v: value * v,
-            xx: Mat::from_fn(|m, n| 0.5 * form(&g.map(|j| j.dd[m][n]), v, v)),
-            xv: Mat::from_fn(|m, n| (d[m] * v)[n]),
+            x: vector(|m| 0.5 * contract(&dg_v[m], v)),
+            v: apply(&value, v),
+            xx: matrix(|m, n| 0.5 * form(&matrix(|i, j| g[(i, j)].dd[m][n]), v, v)),
+            xv: matrix(|m, n| dg_v[m][n]),
             vv: value,
         }
     }

@@ -60,31 +60,33 @@ impl MeshFile {
         }
         let points = self.points::<N>()?;
         self.check_duplicates(&points)?;
-        match Mesh::new(points.clone(), &self.cells) {
+        match Mesh::new(points, &self.cells) {
             Ok(mesh) => {
                 let outer = (0..mesh.count(N - 1)).filter(|&f| !mesh.is_interior(N - 1, f));
-                let corners = |f| {
-                    let vertices = mesh.vertices(N - 1, f);
-                    std::array::from_fn(|i| vertices[i] as usize)
-                };
-                self.check_hanging(&points, &outer.map(corners).collect::<Vec<_>>())?;
+                let mut faces = Vec::new();
+                for face in outer {
+                    faces.extend(mesh.vertices(N - 1, face).iter().map(|v| *v as usize));
+                }
+                self.check_hanging(N, &faces)?;
                 Ok(mesh)
             }
             Err(error) => {
                 if matches!(error, Error::NotAManifold { .. }) {
-                    self.check_hanging(&points, &hanging::boundary_faces(&self.cells))?;
+                    self.check_hanging(N, &hanging::boundary_faces(&self.cells))?;
                 }
                 Err(self.refuse(&error))
             }
         }
     }
 
-    fn check_hanging<const N: usize>(
-        &self,
-        points: &[SVector<f64, N>],
-        boundary: &[[usize; N]],
-    ) -> Result<(), InputError> {
-        let Some((vertex, face)) = hanging::hanging(points, boundary) else {
+    /// `faces` has the vertices of the faces of the boundary.
+    fn check_hanging(&self, dimension: usize, faces: &[usize]) -> Result<(), InputError> {
+        let places = hanging::Places {
+            coordinates: &self.coordinates,
+            width: self.width,
+            dimension,
+        };
+        let Some((vertex, face)) = places.hanging(faces) else {
             return Ok(());
         };
         let reason = format!(
