@@ -4,7 +4,9 @@ mod analysis;
 
 use regge_analysis::Effort;
 use regge_terminal::{Bar, Out, Stop, output};
-use regge_verify::claims::records;
+use regge_verify::certificates::certificates;
+use regge_verify::claims::{catalogue, records};
+use regge_verify::harness::Budget;
 use regge_verify::report::{Report, document, pages};
 use regge_verify::{Options, errata, paper, run};
 use std::io::Write;
@@ -20,6 +22,7 @@ Examples:
   regge-verify                              everything; pages in target/verification
   regge-verify --only P20 --dimension 3     one claim in one dimension
   regge-verify --seed 7 --json report.json  other random instances, the report as data
+  regge-verify --certificates certificates  what is proved as theorems for Coq, with a script
   regge-verify --analysis                   the constants and orders of convergence that the paper asserts
 
 Exit codes: 0 all hold, 1 a claim fails, a forgery was not caught or a file could not be written, 2 bad arguments.";
@@ -46,6 +49,9 @@ pub struct Args {
     /// Measures constants and orders of convergence instead
     #[arg(long, conflicts_with = "dimension")]
     analysis: bool,
+    /// Writes what is proved for N = 2 and 3 as theorems for Coq into this folder instead; check.sh there has coqc check them
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["only", "dimension", "quick", "analysis", "json"])]
+    certificates: Option<PathBuf>,
     /// Writes the report as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -59,6 +65,9 @@ impl Args {
     pub fn run(self) -> Result<(), Stop> {
         if let Some(path) = &self.json {
             output::check(path)?;
+        }
+        if let Some(folder) = &self.certificates {
+            return write_certificates(folder, self.seed);
         }
         if self.analysis || self.names_analysis_alone() {
             let effort = Effort {
@@ -152,6 +161,27 @@ fn write_pages(report: &Report, folder: &Path) -> Result<(), Stop> {
     }
     output::write(&folder.join("index.html"), &document(report, &records))?;
     output::json(&folder.join("report.json"), report)
+}
+
+fn write_certificates(folder: &Path, seed: u64) -> Result<(), Stop> {
+    let files = certificates(&catalogue(), &Budget::full(seed));
+    std::fs::create_dir_all(folder.join("forged"))
+        .map_err(|error| Stop::Failed(format!("{}: {error}", folder.display())))?;
+    for file in &files {
+        output::write(&folder.join(&file.path), &file.content)?;
+    }
+    let mut out = Out::new();
+    let forged = files
+        .iter()
+        .filter(|f| f.path.starts_with("forged/"))
+        .count();
+    writeln!(
+        out,
+        "{} files, {forged} of them forged; to be checked by: sh {}",
+        files.len(),
+        folder.join("check.sh").display()
+    )?;
+    Ok(())
 }
 
 /// The errata, with the numbers that show them.

@@ -1,7 +1,8 @@
 //! Why an identity that holds at random elements of a large field holds: its degree, which is counted along its program.
 
 use super::equation::Equation;
-use crate::exact::{Program, Recorded, degrees};
+use super::scalar::Drawn;
+use crate::exact::{Fp, Fq, Program, Recorded, degrees};
 use serde::Serialize;
 
 /// A bound of the degree of a claim in the numbers that are drawn for it.
@@ -53,6 +54,15 @@ impl Bound {
     pub fn chance_log2(&self, size_log2: f64, draws: usize) -> f64 {
         let one = times_signs(self.degree, self.roots) + f64::from(self.roots_drawn) - size_log2;
         draws as f64 * one.min(0.0)
+    }
+}
+
+impl Bound {
+    /// The same for so many draws from either field. The chance is that of the draws from one alone: a false identity may hold
+    /// modulo the other prime.
+    pub(super) fn chance_of_both(&self, of_p: usize, of_q: usize) -> f64 {
+        let of_p = self.chance_log2(Fp::SIZE_LOG2, of_p);
+        of_p.max(self.chance_log2(Fq::SIZE_LOG2, of_q))
     }
 }
 

@@ -104,25 +104,33 @@ impl Drawn for f64 {
     }
 }
 
-impl<const BITS: u32, const LESS: u64> Ground for Modular<BITS, LESS> {
-    const METHOD: Method = Method::Exact;
+/// Exact scalars have no order, no angles and no real numbers; what does not exist is their poison.
+macro_rules! exact_ground {
+    ($scalar:ty $(, const $name:ident: $kind:ty)*) => {
+        impl<$(const $name: $kind),*> Ground for $scalar {
+            const METHOD: Method = Method::Exact;
 
-    fn is_poison(self) -> bool {
-        Modular::is_poison(self)
-    }
-    fn size(self) -> f64 {
-        if self == Self::zero() { 0.0 } else { 1.0 }
-    }
-    fn angle(_sin: Self, _cos: Self) -> Option<Self> {
-        None
-    }
-    fn to_real(self) -> f64 {
-        f64::NAN
-    }
-    fn from_real(_x: f64) -> Self {
-        Self::POISON
-    }
+            fn is_poison(self) -> bool {
+                <$scalar>::is_poison(self)
+            }
+            fn size(self) -> f64 {
+                if self == Self::zero() { 0.0 } else { 1.0 }
+            }
+            fn angle(_sin: Self, _cos: Self) -> Option<Self> {
+                None
+            }
+            fn to_real(self) -> f64 {
+                f64::NAN
+            }
+            fn from_real(_x: f64) -> Self {
+                Self::POISON
+            }
+        }
+    };
 }
+
+exact_ground!(Modular<BITS, LESS>, const BITS: u32, const LESS: u64);
+exact_ground!(Ratio);
 
 impl<const BITS: u32, const LESS: u64> Drawn for Modular<BITS, LESS> {
     const NAME: &'static str = "F_p";
@@ -139,26 +147,6 @@ impl<const BITS: u32, const LESS: u64> Drawn for Modular<BITS, LESS> {
 impl Components<Ratio> for Ratio {
     fn components(self) -> Vec<Ratio> {
         vec![self]
-    }
-}
-
-impl Ground for Ratio {
-    const METHOD: Method = Method::Exact;
-
-    fn is_poison(self) -> bool {
-        Ratio::is_poison(self)
-    }
-    fn size(self) -> f64 {
-        if self == Self::zero() { 0.0 } else { 1.0 }
-    }
-    fn angle(_sin: Self, _cos: Self) -> Option<Self> {
-        None
-    }
-    fn to_real(self) -> f64 {
-        f64::NAN
-    }
-    fn from_real(_x: f64) -> Self {
-        Self::POISON
     }
 }
 

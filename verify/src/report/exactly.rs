@@ -25,7 +25,8 @@ rational functions that they are, and that they are is one more equation of the 
 3. **A lattice.** A polynomial with these monomials that vanishes at certain whole points, the principal lattices of the \
 groups of jets, is zero: a theorem of interpolation (`verify/src/exact/lattice.rs` has the argument). At each of these points the \
 program is run over rational numbers of 127 bits; a larger number is an error, nothing is rounded. Left minus right is 0 \
-at every point, so it is the zero polynomial.
+at every point, so it is the zero polynomial. For N = 2 and 3 the proof assistant Coq comes to the same result by computing with \
+polynomials ([certificates.md](certificates.md)).
 4. **Every other metric.** That the equation holds in all coordinates if it holds in one is an identity of its own: each \
 term changes as a tensor or a density does. This one is *tested*, not proved: at random elements of the fields with \
 2⁶¹ − 1 and 2⁶² − 57 elements, four draws each, with the chance on the page that a wrong term passes.

@@ -1,6 +1,7 @@
 //! All tests of the package in one program: they are small, and what takes time is to link the catalogue.
 
 mod catalogue;
+mod certificates;
 mod cli;
 mod coverage;
 mod errata;

@@ -7,7 +7,6 @@ use crate::harness::bound::Bound;
 use crate::harness::case::Key;
 use crate::harness::equation::Equation;
 use crate::harness::judgement::Judgement;
-use crate::harness::scalar::Drawn;
 use crate::harness::tally::Tally;
 use regge_curvature::formulas::Formulas;
 
@@ -49,8 +48,7 @@ impl Integrals {
                 .add_to(&mut tally, rest, of_q, formulas);
         }
         let bound = (self.bound)(formulas);
-        let chance = bound.chance_log2(Fp::SIZE_LOG2, of_p);
-        let chance = chance.max(bound.chance_log2(Fq::SIZE_LOG2, of_q));
+        let chance = bound.chance_of_both(of_p, of_q);
         (tally, bound, chance)
     }
 

@@ -15,7 +15,7 @@ pub use programs::OnPrograms;
 use super::case::Key;
 use super::entry::{Entry, Verdict};
 use super::judgement::{Judgement, Method};
-use super::proof::{Outcome, Proofs};
+use super::proof::{Goal, Outcome, Proofs};
 use super::record::{Excuses, Record};
 use super::scalar::Drawn;
 use super::tally::Tally;
@@ -89,6 +89,14 @@ impl Check {
         entry.one_method = self.excuses.one_method.map(str::to_owned);
         entry.few_cases = self.excuses.few_cases.map(str::to_owned);
         entry
+    }
+
+    /// What it proves, as programs; nothing where it proves nothing.
+    pub fn goals(&self, budget: &Budget) -> Vec<Goal> {
+        match &self.kind {
+            Kind::Proof(check) => check.goals(self.key(budget), &budget.formulas),
+            _ => Vec::new(),
+        }
     }
 
     fn proved(&self, outcome: Outcome) -> Entry {

@@ -58,9 +58,8 @@ impl OnPrograms {
                 break;
             }
         }
-        let of_p = claim.bound.chance_log2(Fp::SIZE_LOG2, cases.div_ceil(2));
-        let of_q = claim.bound.chance_log2(Fq::SIZE_LOG2, cases / 2);
-        (tally, claim.bound, of_p.max(of_q))
+        let chance = claim.bound.chance_of_both(cases.div_ceil(2), cases / 2);
+        (tally, claim.bound, chance)
     }
 
     fn record(&self, formulas: &Formulas) -> Claim {

@@ -4,7 +4,7 @@ use super::Variable;
 use super::roots::Rootless;
 use super::trial::{Trial, judged, tried};
 use crate::exact::{
-    MultiDegree, Ratio, Recorded, Sparse, degrees, determining, positive, supports,
+    MultiDegree, Program, Ratio, Recorded, Sparse, degrees, determining, positive, supports,
 };
 use crate::harness::entry::{Forgery, Vacuous};
 use crate::harness::proved::Proved;
@@ -67,7 +67,28 @@ pub(super) fn settle(rootless: &Rootless, jets: &Jets<'_>) -> Option<Settled> {
     ))
 }
 
+/// Is what the equation states a polynomial in the jets?
+pub(super) fn is_polynomial(rootless: &Rootless, jets: &Jets<'_>) -> bool {
+    jets.supports(&rootless.program, &rootless.compared)
+        .is_some()
+}
+
 impl Jets<'_> {
+    /// The number of the group of the parameters.
+    fn parameter(&self) -> Option<usize> {
+        self.names.iter().position(String::is_empty)
+    }
+
+    /// The multi-degrees of results, if they are polynomials in the jets.
+    fn supports(&self, program: &Program, results: &[Recorded]) -> Option<BTreeSet<MultiDegree>> {
+        let parameter = self.parameter();
+        let grouped: Vec<Option<usize>> = (self.groups.iter())
+            .map(|g| (Some(*g) != parameter).then_some(*g))
+            .collect();
+        let needed = program.needed(results.iter().copied());
+        supports(program, &grouped, self.names.len(), &needed, results)
+    }
+
     /// The jets that are not zero, and the parameters among these inputs.
     fn list(&self, used: &[usize], numbers: &[Ratio]) -> Vec<String> {
         let named = |k: &usize| format!("{} = {:?}", self.variables[*k].name, numbers[*k]);
@@ -109,17 +130,11 @@ struct Points {
 impl Points {
     fn new(rootless: &Rootless, all: &[bool], jets: &Jets<'_>) -> Option<Self> {
         let (program, compared) = (&rootless.program, &rootless.compared);
-        let parameter = jets.names.iter().position(String::is_empty);
-        let grouped: Vec<Option<usize>> = (jets.groups.iter())
-            .map(|g| (Some(*g) != parameter).then_some(*g))
-            .collect();
-        let of = |results: &[Recorded]| {
-            let needed = program.needed(results.iter().copied());
-            supports(program, &grouped, jets.names.len(), &needed, results)
-        };
+        let of = |results: &[Recorded]| jets.supports(program, results);
+        let parameter = jets.parameter();
         let stated = of(compared)?;
         // A wrong version can have monomials that the right one has not.
-        let wrong = rootless.wrong.iter().filter_map(|w| of(w)).flatten();
+        let wrong = rootless.wrong.iter().filter_map(|(_, w)| of(w)).flatten();
         let supports: BTreeSet<MultiDegree> = stated.into_iter().chain(wrong).collect();
         let used = program.inputs(all);
         let mut groups = vec![Vec::new(); jets.names.len()];

@@ -5,21 +5,23 @@
 //! program; and the program is run over rational numbers at points that determine such a polynomial ([`lattice`]).
 
 mod elsewhere;
+mod goal;
 mod lattice;
 mod motion;
+mod position;
 mod roots;
 mod trial;
 
+pub use goal::{Goal, Wrong};
 pub use motion::{Moved, Moves};
 
-use super::bound::numbered;
 use super::case::Key;
 use super::entry::{Failure, Forgery, Vacuous};
 use super::equation::Equation;
 use super::proved::Proof;
 use crate::exact::{Recorded, record};
+use position::InPosition;
 use regge_curvature::formulas::Formulas;
-use std::collections::BTreeSet;
 
 /// A number of an instance in normal position.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,7 +68,61 @@ pub(super) struct Outcome {
 impl Proofs {
     /// Proves all equations, or says why not.
     pub(super) fn run(&self, key: Key<'_>, formulas: &Formulas) -> Outcome {
-        let mut outcome = Outcome {
+        let mut outcome = Outcome::default();
+        let open = self.in_positions(key, formulas, &mut |at| {
+            if outcome.failure.is_some() {
+                return false;
+            }
+            let Some(mut result) = lattice::settle(at.rootless, at.jets) else {
+                return false;
+            };
+            self.refute(at, formulas, &mut result);
+            outcome.add(result, (self.describe)(at.form), at.chance);
+            true
+        });
+        if outcome.failure.is_none() && !open.is_empty() {
+            let what = format!("equations {open:?} are polynomials in no position that is known");
+            outcome.fail(what, Vec::new());
+        }
+        outcome
+    }
+
+    /// What there is to be proved, as programs that another judge can read; equations that are polynomials in no position are
+    /// left out.
+    pub(super) fn goals(&self, key: Key<'_>, formulas: &Formulas) -> Vec<Goal> {
+        let mut goals = Vec::new();
+        self.in_positions(key, formulas, &mut |at| {
+            let polynomial = lattice::is_polynomial(at.rootless, at.jets);
+            if polynomial {
+                goals.push(Goal::new(at, (self.describe)(at.form)));
+            }
+            polynomial
+        });
+        goals
+    }
+}
+
+impl Proofs {
+    /// What no point in normal position refutes.
+    fn refute(&self, at: &InPosition<'_>, formulas: &Formulas, result: &mut lattice::Settled) {
+        if result.counterexample.is_some() || result.forgeries.iter().all(|f| f.caught) {
+            return;
+        }
+        let variables = at.jets.variables;
+        let in_others = |x: &[Recorded]| (self.elsewhere)(at.form, x, formulas);
+        let (program, equations) = record(variables.len(), in_others);
+        let equation = &equations[at.equation];
+        if !elsewhere::refute(&program, equation, variables, &mut result.forgeries) {
+            let what = format!("{}: fails in other coordinates", equation.name);
+            result.counterexample = Some((what, Vec::new()));
+        }
+    }
+}
+
+impl Default for Outcome {
+    /// Nothing is proved yet.
+    fn default() -> Self {
+        Self {
             proof: Proof {
                 points: 0,
                 degree: 0,
@@ -76,96 +132,13 @@ impl Proofs {
             forgeries: Vec::new(),
             vacuous: Vec::new(),
             failure: None,
-        };
-        let depends = self.dependences(formulas);
-        let mut open: BTreeSet<usize> = (0..depends.len()).collect();
-        for form in 0..self.forms {
-            let allowed = |k: &usize| depends[*k].iter().all(|g| (self.allows)(form, g));
-            let wanted: BTreeSet<usize> = open.iter().copied().filter(|k| allowed(k)).collect();
-            if wanted.is_empty() || outcome.failure.is_some() {
-                continue;
-            }
-            let (wanted, chance) = self.equivariant(form, &wanted, key, formulas);
-            for k in self.prove(form, &wanted, formulas, &mut outcome) {
-                open.remove(&k);
-                outcome.proof.motion_log2 = outcome.proof.motion_log2.max(chance);
-            }
-        }
-        if outcome.failure.is_none() && !open.is_empty() {
-            let what = format!("equations {open:?} are polynomials in no position that is known");
-            outcome.fail(what, Vec::new());
-        }
-        outcome
-    }
-
-    /// Which groups of numbers the terms of each equation depend on.
-    fn dependences(&self, formulas: &Formulas) -> Vec<BTreeSet<String>> {
-        let groups = (self.groups)();
-        let (program, equations) =
-            record(groups.len(), |numbers| (self.equations)(numbers, formulas));
-        let of = |equation: &Equation<Recorded>| {
-            let terms = equation.terms().flat_map(|t| &t.value).copied();
-            let inputs = program.inputs(&program.needed(terms));
-            inputs.into_iter().map(|k| groups[k].clone()).collect()
-        };
-        equations.iter().map(of).collect()
-    }
-
-    /// Tries these equations in normal position; returns those that are settled.
-    fn prove(
-        &self,
-        form: usize,
-        wanted: &BTreeSet<usize>,
-        formulas: &Formulas,
-        outcome: &mut Outcome,
-    ) -> Vec<usize> {
-        let variables = (self.variables)(form);
-        let groups: Vec<String> = variables.iter().map(|v| v.group.clone()).collect();
-        let (names, numbers) = numbered(&groups);
-        let jets = lattice::Jets {
-            variables: &variables,
-            names: &names,
-            groups: &numbers,
-        };
-        let (program, (equations, bases)) =
-            record(variables.len(), |x| (self.reduced)(form, x, formulas));
-        let mut settled = Vec::new();
-        for k in wanted {
-            let rooted = roots::replaced(&program, &equations[*k], &bases, &variables);
-            let proved = rooted.and_then(|r| lattice::settle(&r, &jets));
-            if let Some(mut result) = proved {
-                settled.push(*k);
-                self.refute(form, *k, formulas, &variables, &mut result);
-                outcome.add(result, (self.describe)(form));
-            }
-        }
-        settled
-    }
-}
-
-impl Proofs {
-    /// What no point in normal position refutes.
-    fn refute(
-        &self,
-        form: usize,
-        k: usize,
-        formulas: &Formulas,
-        variables: &[Variable],
-        result: &mut lattice::Settled,
-    ) {
-        if result.counterexample.is_some() || result.forgeries.iter().all(|f| f.caught) {
-            return;
-        }
-        let (program, equations) = record(variables.len(), |x| (self.elsewhere)(form, x, formulas));
-        if !elsewhere::refute(&program, &equations[k], variables, &mut result.forgeries) {
-            let what = format!("{}: fails in other coordinates", equations[k].name);
-            result.counterexample = Some((what, Vec::new()));
         }
     }
 }
 
 impl Outcome {
-    fn add(&mut self, mut settled: lattice::Settled, form: &str) {
+    fn add(&mut self, mut settled: lattice::Settled, form: &str, chance: f64) {
+        self.proof.motion_log2 = self.proof.motion_log2.max(chance);
         settled.proved.position = form.to_owned();
         self.proof.points += settled.proved.points;
         self.proof.degree = self.proof.degree.max(settled.degree);

@@ -84,8 +84,7 @@ impl Proofs {
                 && vanishes::<Fq>(&program, groups.len(), difference, key)
             {
                 equivariant.insert(*k);
-                chance = chance.max(bound.chance_log2(Fp::SIZE_LOG2, DRAWS));
-                chance = chance.max(bound.chance_log2(Fq::SIZE_LOG2, DRAWS));
+                chance = chance.max(bound.chance_of_both(DRAWS, DRAWS));
             }
         }
         (equivariant, chance)

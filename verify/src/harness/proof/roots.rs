@@ -12,8 +12,8 @@ pub(super) struct Rootless {
     /// What must vanish: left − right, the terms that are said to vanish, wrong versions that are said to be right, and a − b²
     /// for every root √a that was replaced by b. (b is positive, where the bases are.)
     pub compared: Vec<Recorded>,
-    /// What must not vanish: left − right of each version that is wrong.
-    pub wrong: Vec<Vec<Recorded>>,
+    /// What must not vanish: left − right of each version that is wrong, by its name.
+    pub wrong: Vec<(String, Vec<Recorded>)>,
 }
 
 /// A root at three points: c ∏ b_i^e_i with a constant c.
@@ -70,7 +70,7 @@ pub(super) fn replaced(
         compared.extend(vanishing(&equation));
         let wrong = equation.forgeries().into_iter();
         let wrong = wrong.filter(|(_, forged)| forged.vacuous.is_none());
-        let wrong = wrong.map(|(_, forged)| equation.difference(&forged.replaced));
+        let wrong = wrong.map(|(name, forged)| (name, equation.difference(&forged.replaced)));
         (equation.clone(), compared, wrong.collect())
     });
     Some(Rootless {
