@@ -137,3 +137,23 @@ fn polygons_have_no_types() {
         assert_eq!(faces(&file).len(), 4, "{list}");
     }
 }
+
+/// 32 MiB of zeros in 32 KiB: no mesh of so many points fits into so short a file, and thousands of times the file could be asked for.
+#[test]
+fn what_is_compressed_is_bounded_by_the_file() {
+    let path = &files("vtu")["vtk-appended-raw-zlib-64.vtu"];
+    let bytes = fs::read(path).expect("a file");
+    let mark = b"encoding=\"raw\">";
+    let begin = bytes.windows(mark.len()).position(|w| w == mark);
+    let begin = begin.expect("data behind the marks") + mark.len();
+    let zeros = miniz_oxide::deflate::compress_to_vec_zlib(&vec![0; 1 << 25], 6);
+    let mut bomb = bytes[..begin].to_vec();
+    bomb.push(b'_');
+    for number in [1, 1 << 25, 0, zeros.len() as u64] {
+        bomb.extend(number.to_le_bytes());
+    }
+    bomb.extend(&zeros);
+    assert!(bomb.len() < 1 << 17);
+    let refused = mesh_from(path, &bomb).expect_err("zeros");
+    assert!(refused.reason.contains("too long for a file of this size"));
+}

@@ -13,6 +13,8 @@ pub struct Storage<'a> {
     pub compressed: bool,
     /// What stands behind the marks, with whether it is in base 64.
     pub appended: Option<(&'a [u8], bool)>,
+    /// More numbers than this no array of a mesh in a file of this size has: a few bytes may be said to be billions of zeros.
+    pub most: usize,
 }
 
 /// The numbers of an array, as f64: whole ones too, which are exact up to 2^53.
@@ -44,8 +46,17 @@ pub fn numbers(tag: &Tag<'_>, text: &[u8], storage: &Storage<'_>) -> Result<Vec<
         Stored::Owned(bytes) => bytes,
         Stored::Borrowed(bytes) => *bytes,
     };
-    let data = storage.data(tag.place, bytes)?;
-    decode(tag, &data, storage.big_endian)
+    let (width, of) = kind(tag)?;
+    let data = storage.data(tag.place, bytes, width)?;
+    let number = |chunk: &[u8]| {
+        let mut word = [0; 8];
+        word[..width].copy_from_slice(chunk);
+        if storage.big_endian {
+            word[..width].reverse();
+        }
+        of(word)
+    };
+    Ok(data.chunks_exact(width).map(number).collect())
 }
 
 enum Stored<'a> {
@@ -123,8 +134,8 @@ impl Storage<'_> {
         Ok((usize::try_from(count).unwrap_or(usize::MAX), rest))
     }
 
-    /// The bytes of an array that begins here.
-    fn data(&self, place: Place, bytes: &[u8]) -> Result<Vec<u8>, Fault> {
+    /// The bytes of an array that begins here, of numbers that take so many.
+    fn data(&self, place: Place, bytes: &[u8], width: usize) -> Result<Vec<u8>, Fault> {
         let (count, mut rest) = self.count(place, bytes)?;
         if !self.compressed {
             return rest
@@ -150,9 +161,10 @@ impl Storage<'_> {
             let Some((block, behind)) = rest.split_at_checked(compressed) else {
                 return Err(short(place));
             };
-            let opened = miniz_oxide::inflate::decompress_to_vec_zlib_with_limit(block, size);
-            let broken = |_| Fault::new(place, "a compressed array that is broken");
-            all.extend(opened.map_err(broken)?);
+            let room = size.min(self.most * width - all.len());
+            let opened = miniz_oxide::inflate::decompress_to_vec_zlib_with_limit(block, room);
+            let reason = "a compressed array that is broken, or too long for a file of this size";
+            all.extend(opened.map_err(|_| Fault::new(place, reason))?);
             rest = behind;
         }
         Ok(all)
@@ -163,33 +175,25 @@ fn short(place: Place) -> Fault {
     Fault::new(place, "an array ends too early: the file may be truncated")
 }
 
-/// Bytes as numbers of the array's type.
-fn decode(tag: &Tag<'_>, bytes: &[u8], big_endian: bool) -> Result<Vec<f64>, Fault> {
-    let of: fn([u8; 8]) -> f64 = match tag.expect("type")? {
-        "Float64" => f64::from_le_bytes,
-        "Float32" => |b| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
-        "Int64" => |b| i64::from_le_bytes(b) as f64,
-        "UInt64" => |b| u64::from_le_bytes(b) as f64,
-        "Int32" => |b| f64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]])),
-        "UInt32" => |b| f64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])),
-        "Int16" => |b| f64::from(i16::from_le_bytes([b[0], b[1]])),
-        "UInt16" => |b| f64::from(u16::from_le_bytes([b[0], b[1]])),
-        "Int8" => |b| f64::from(b[0] as i8),
-        "UInt8" => |b| f64::from(b[0]),
+/// How many bytes a number of the array's type takes, and what they are.
+fn kind(tag: &Tag<'_>) -> Result<(usize, fn([u8; 8]) -> f64), Fault> {
+    Ok(match tag.expect("type")? {
+        "Float64" => (8, f64::from_le_bytes),
+        "Float32" => (4, |b| {
+            f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+        }),
+        "Int64" => (8, |b| i64::from_le_bytes(b) as f64),
+        "UInt64" => (8, |b| u64::from_le_bytes(b) as f64),
+        "Int32" => (4, |b| {
+            f64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+        }),
+        "UInt32" => (4, |b| {
+            f64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+        }),
+        "Int16" => (2, |b| f64::from(i16::from_le_bytes([b[0], b[1]]))),
+        "UInt16" => (2, |b| f64::from(u16::from_le_bytes([b[0], b[1]]))),
+        "Int8" => (1, |b| f64::from(b[0] as i8)),
+        "UInt8" => (1, |b| f64::from(b[0])),
         other => return Err(Fault::new(tag.place, format!("numbers of type {other}"))),
-    };
-    let name = tag.expect("type")?;
-    let bits: usize = name
-        .trim_start_matches(|c: char| !c.is_ascii_digit())
-        .parse()
-        .expect("the names that are known end in a number of bits");
-    let number = |chunk: &[u8]| {
-        let mut word = [0; 8];
-        word[..chunk.len()].copy_from_slice(chunk);
-        if big_endian {
-            word[..chunk.len()].reverse();
-        }
-        of(word)
-    };
-    Ok(bytes.chunks_exact(bits / 8).map(number).collect())
+    })
 }

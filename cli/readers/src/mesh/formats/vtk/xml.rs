@@ -66,6 +66,7 @@ fn storage<'a>(bytes: &'a [u8], root: &Tag<'_>) -> Result<Storage<'a>, Fault> {
         long: root.get("header_type") == Some("UInt64"),
         compressed,
         appended,
+        most: (1 << 20) + 8 * bytes.len(),
     })
 }
 
