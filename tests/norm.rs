@@ -1,7 +1,7 @@
 //! The H⁻² norm against an independent dense discretisation, exact solutions, and its own invariances.
 
 mod dense;
-mod plate;
+pub mod plate;
 
 use plate::{Volume, load_of, plate_bilaplacian};
 use regge_curvature::Error;

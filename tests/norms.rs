@@ -8,5 +8,6 @@ mod domains;
 mod norm;
 mod norm_domains;
 mod norm_iterative;
+mod norm_riesz;
 mod oracle_norms;
 mod quadrature_order;

@@ -15,9 +15,12 @@
 //! The continuity of the moments is enforced by the slopes ∂_n u on the interior faces (hybridisation); moments and
 //! bubbles are condensed cell by cell. Results are the same bit for bit whatever the number of threads.
 //!
+//! [`Riesz`] has the norms of earlier results: H⁻¹(Ω, g), and V′_h of the paper's introduction, both by a Cholesky
+//! factorisation.
+//!
 //! # Seams
 //! - [`DualNorm`] is what studies and the command line know of a norm, and [`Kind::all`] is the table in which they look
-//!   it up. A new norm is a file beside `hminus2.rs` with its entry, and the lines in `mod.rs` that name them.
+//!   it up. A new norm is a file beside `riesz.rs` with its entry, and the lines in `mod.rs` that name them.
 //! - [`BiharmonicSolver`] is what [`HMinus2`] knows of a solver, which owns the discretisation [`Hhj`] that it solves.
 
 mod census;
@@ -27,6 +30,7 @@ mod hhj;
 mod hminus2;
 mod iterative;
 mod kind;
+mod riesz;
 mod solver;
 
 pub use census::Census;
@@ -36,12 +40,13 @@ pub use hhj::Hhj;
 pub use hminus2::{HMinus2, HMinus2Norm};
 pub use iterative::Iterative;
 pub use kind::{Kind, MetricValues, Setting, metric_values};
+pub use riesz::{Energy, Riesz};
 pub use solver::BiharmonicSolver;
 
 use std::any::Any;
 
 impl<const N: usize> Kind<N> {
-    const TABLE: &'static [Self] = &[HMinus2::<N>::KIND];
+    const TABLE: &'static [Self] = &[HMinus2::<N>::KIND, Riesz::<N>::HM1, Riesz::<N>::VH];
 
     /// Every norm that has a name: the same ones for N = 2 and 3, and none for higher N.
     pub fn all() -> &'static [Self] {

@@ -15,7 +15,7 @@ use crate::quadrature::Rule;
 use crate::scalar::Real;
 use crate::simplex::binomial;
 use crate::spaces::Lagrange;
-use crate::sparse::{CellBlock, Factor, Order, Upper};
+use crate::sparse::{Factor, Kept, Order, Upper};
 use hats::HatMass;
 use nalgebra::DMatrix;
 
@@ -40,7 +40,7 @@ enum Mass {
     /// Of hat functions.
     Hats(HatMass),
     /// Of functions of a higher degree, factorised, with those that are unknowns; none where there is no unknown.
-    Factorised(Vec<usize>, Option<Box<Factor>>),
+    Factorised(Kept, Option<Box<Factor>>),
 }
 
 impl Projection {
@@ -90,19 +90,15 @@ impl Projection {
     /// If the load has not an entry for each basis function.
     pub fn apply(&self, load: &[f64]) -> Result<Vec<f64>, Error> {
         assert_eq!(load.len(), self.len, "a load of another space");
-        let (unknowns, factor) = match &self.mass {
+        let (kept, factor) = match &self.mass {
             Mass::Hats(mass) => return mass.solve(load),
-            Mass::Factorised(unknowns, factor) => (unknowns, factor),
+            Mass::Factorised(kept, factor) => (kept, factor),
         };
-        let mut x: Vec<f64> = unknowns.iter().map(|&dof| load[dof]).collect();
+        let mut x = kept.gather(load);
         if let Some(factor) = factor {
             factor.solve(&mut x);
         }
-        let mut coefficients = vec![0.0; self.len];
-        for (&dof, x) in unknowns.iter().zip(x) {
-            coefficients[dof] = x;
-        }
-        Ok(coefficients)
+        Ok(kept.scatter(&x))
     }
 }
 
@@ -112,41 +108,28 @@ fn factorised<const N: usize, G: TensorField<N, Scalar = f64>>(
     tested: Tested,
     rule: &Rule,
 ) -> Result<Mass, Error> {
-    let kept = |dof: &usize| tested == Tested::All || space.vanishes_on_boundary(*dof);
-    let unknowns: Vec<usize> = (0..space.len()).filter(kept).collect();
-    let factor = match unknowns.is_empty() {
+    let is_kept = |dof| tested == Tested::All || space.vanishes_on_boundary(dof);
+    let kept = Kept::new(space.len(), is_kept);
+    let factor = match kept.is_empty() {
         true => None,
         false => {
-            let mass = mass::<G::Wide, G, N>(g, space, &unknowns, rule);
+            let mass = mass::<G::Wide, G, N>(g, space, &kept, rule);
             Some(Box::new(Factor::new(&mass, Order::MinimumDegree)?))
         }
     };
-    Ok(Mass::Factorised(unknowns, factor))
+    Ok(Mass::Factorised(kept, factor))
 }
-
-/// No unknown.
-const NONE: usize = usize::MAX;
 
 /// The matrix ∫ v_i v_j ω of the unknowns.
 fn mass<T: Real<Sum = f64>, G: Evaluate<T, N>, const N: usize>(
     g: &G,
     space: &Lagrange<N>,
-    unknowns: &[usize],
+    kept: &Kept,
     rule: &Rule,
 ) -> Upper {
-    let mut number = vec![NONE; space.len()];
-    for (i, &dof) in unknowns.iter().enumerate() {
-        number[dof] = i;
-    }
-    // Every unknown is a block of its own.
-    let blocks = |cell: usize| -> Vec<CellBlock> {
-        let numbers = space.cell_dofs(cell).map(|dof| number[dof]).enumerate();
-        let kept = numbers.filter(|&(_, block)| block != NONE);
-        kept.map(|(start, block)| CellBlock { block, start })
-            .collect()
-    };
+    let blocks = |cell: usize| kept.blocks(space.cell_dofs(cell));
     let cells = space.mesh().cell_count();
-    let mut mass = Upper::new((0..=unknowns.len()).collect(), cells, &blocks);
+    let mut mass = kept.matrix(cells, &blocks);
     let table = g.tabulate(rule.points());
     let basis = space.basis(N).tabulate::<T>(rule.points());
     let weights = rule.weight_blocks::<T>();

@@ -1,10 +1,12 @@
 //! Floor 5. Sparse symmetric positive definite systems: upper triangles in compressed columns, and their factorisation.
 //!
-//! A matrix is assembled from those of cells, in the cells' order, by [`Upper`]; [`Factor`] solves with it. The H⁻² norm
-//! and the projection R_h stand on both.
+//! A matrix is assembled from those of cells, in the cells' order, by [`Upper`]; [`Factor`] solves with it; [`Kept`] numbers its
+//! unknowns where some are held. The norms and the projection R_h stand on them.
 
 mod factor;
+mod kept;
 mod upper;
 
 pub(crate) use factor::{Factor, Order, in_parallel};
+pub(crate) use kept::Kept;
 pub(crate) use upper::{CellBlock, Upper};

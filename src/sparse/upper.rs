@@ -80,6 +80,19 @@ impl Upper {
         }
     }
 
+    /// xᵀ A x.
+    pub fn energy(&self, x: &[f64]) -> f64 {
+        let of_column = |(c, x_c): (usize, &f64)| {
+            let entries = self.columns[c]..self.columns[c + 1];
+            let products = entries.map(|i| match self.rows[i] {
+                row if row == c => self.values[i] * x_c,
+                row => 2.0 * self.values[i] * x[row],
+            });
+            x_c * products.sum::<f64>()
+        };
+        x.iter().enumerate().map(of_column).sum()
+    }
+
     /// How many unknowns a block has.
     fn width(&self, block: usize) -> usize {
         self.offsets[block + 1] - self.offsets[block]
@@ -161,5 +174,9 @@ mod tests {
         // Unknowns 0 and 1 do not meet 3 and 4: that is all that the pattern leaves out.
         assert_eq!(upper.rows.len(), 15 - 4);
         assert_eq!(found, expected.upper_triangle());
+        let x = [1.0, -2.0, 0.5, 3.0, -1.0];
+        let vector = DMatrix::from_column_slice(5, 1, &x);
+        let energy = (vector.transpose() * expected * vector)[(0, 0)];
+        assert!((upper.energy(&x) - energy).abs() < 1e-12);
     }
 }
