@@ -4,6 +4,7 @@ use proptest::prelude::*;
 use regge_curvature::functional::{Enclosed, angle_defects, enclosed, regge_action};
 use regge_curvature::mesh::Mesh;
 use regge_curvature::scalar::{Algebraic, Field, Interval};
+use regge_curvature::simplex::subsets;
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 use regge_curvature::{Error, Rules};
 use std::f64::consts::{PI, TAU};
@@ -93,6 +94,10 @@ fn what_does_not_exist_is_undefined() {
     assert!(((one / zero) * zero).low().is_nan());
     assert!(!(one / zero).is_positive() && !(one / zero).contains(0.0));
     assert_eq!((one / zero).integer(), None);
+    // What overflows is still enclosed.
+    let large = Interval::exactly(f64::MAX);
+    assert!(((large + large) + (one - (large + large))).contains(1.0));
+    assert!(one.hull(one / zero).high().is_nan());
     let third = Interval::ratio(1, 3);
     assert_eq!((third + third + third).integer(), Some(1));
     assert_eq!((third * Interval::from_int(2)).integer(), None);
@@ -275,4 +280,72 @@ fn what_is_not_positive_definite_is_not_enclosed() {
     squares[0] = 4.0;
     let g = space.function(squares).expect("lengths");
     assert!(enclosed(&g).is_err());
+}
+
+/// The reference meshes of degree 0. What f64 computes is rounded, too: it lies inside up to its own rounding, and not when it is
+/// moved by 1e-9.
+#[test]
+fn production_lies_inside_on_the_reference_meshes() {
+    /// Each cell around a hinge adds an angle below π that is computed in some ten roundings, and a rounding of the sum.
+    fn rounding(cells: usize) -> f64 {
+        8.0 * PI * f64::EPSILON * (1 + cells) as f64
+    }
+    fn check<const N: usize>(oracle: &regge_oracle::Oracle) -> usize {
+        let mesh = oracle.mesh::<N>();
+        let space = oracle.space(&mesh);
+        let g = oracle.metric(&space);
+        let found = of(&g);
+        let near = |x: Interval, value: f64, slack: f64| {
+            let inside = x.low() - slack <= value && value <= x.high() + slack;
+            assert!(inside, "{}: {value:e} is not in {x:?}", oracle.name);
+            assert!(!x.contains(value + 1e-9) && !x.contains(value - 1e-9));
+        };
+        for h in angle_defects(&g, &mesh, 1) {
+            let cells = mesh.star(N - 2, h.hinge).len();
+            near(found.defects[h.hinge], h.defect, rounding(cells));
+            assert!(found.defects[h.hinge].width() < 1e-11);
+            near(found.sizes[h.hinge], h.size, 4.0 * f64::EPSILON * h.size);
+        }
+        let all: f64 = mesh
+            .interior_hinges()
+            .map(|h| rounding(mesh.star(N - 2, h).len()))
+            .sum();
+        near(
+            found.interior,
+            regge_action(&g, &mesh, &Rules::new(N, 1)).interior,
+            all,
+        );
+        found.defects.len()
+    }
+    let mut hinges = 0;
+    for oracle in regge_oracle::all().iter().filter(|o| o.degree == 0) {
+        hinges += match oracle.dimension {
+            2 => check::<2>(oracle),
+            3 => check::<3>(oracle),
+            n => panic!("no reference mesh of dimension {n}"),
+        };
+    }
+    assert!(hinges > 100, "{hinges} hinges");
+}
+
+/// χ of a large torus with slivers: 2π is enclosed so closely that one integer is left.
+#[test]
+fn the_euler_characteristic_of_a_large_surface_with_slivers() {
+    let mesh = Mesh::<2>::torus(224).expect("a torus");
+    assert!(mesh.cell_count() > 100_000);
+    let space = ReggeSpace::new(&mesh, 0);
+    // Sides 1, 1 and nearly 2: each triangle has an angle of π − 0.008, and two of 0.004.
+    let square = |e: usize| {
+        let side = mesh.first_side(1, e);
+        let ends = &subsets(3, 2)[side.place];
+        let [a, b] = [ends[0], ends[1]].map(|v| mesh.corner(side.cell, v).expect("a corner"));
+        let diagonal = (b - a).iter().all(|x| x.abs() > 1e-9);
+        let long = if diagonal { 4.0 - 2f64.powi(-14) } else { 1.0 };
+        long + (e % 5) as f64 * 2f64.powi(-24)
+    };
+    let g = space
+        .function((0..mesh.count(1)).map(square).collect())
+        .expect("lengths");
+    let over = of(&g).action() / (Interval::pi() + Interval::pi());
+    assert_eq!(over.integer(), Some(0), "{over:?}");
 }

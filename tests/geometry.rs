@@ -8,6 +8,7 @@ mod conventions;
 mod documents;
 mod enclosed;
 mod evaluation;
+mod everywhere;
 mod exactness;
 mod field;
 mod immersion;

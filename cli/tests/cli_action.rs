@@ -1,6 +1,6 @@
 //! `regge einstein` and `regge action` on closed manifolds whose answers are known, and N = 4.
 
-use crate::common::files::{curvature, folder, run, write};
+use crate::common::files::{curvature, folder, grid, run, write};
 use serde_json::Value;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -225,4 +225,38 @@ fn certified_numbers() {
         "--mesh m.json --lengths l.csv --certified --degree 1",
     );
     assert_eq!(refused.status.code(), Some(2));
+}
+
+/// A part of a sphere of radius 10.
+#[test]
+fn bounds_that_hold_everywhere() {
+    let folder = folder("everywhere");
+    write(&folder, "m.json", &grid(4));
+    let sphere = "dimension = 2\nconformal = \"1/(1 + (x^2 + y^2)/400)^2\"\n";
+    write(&folder, "g.toml", sphere);
+    let arguments = "--mesh m.json --metric g.toml --degree 2 --certified";
+    let said = run(&folder, "curvature", arguments).stdout;
+    let said = String::from_utf8(said).expect("text");
+    for line in [
+        "certified: the metric is positive definite everywhere on its 32 cells",
+        "certified: R is positive everywhere on 32 cells, negative everywhere on 0, neither is shown on 0",
+    ] {
+        assert!(said.contains(line), "{said}");
+    }
+    let everywhere = &json(&folder, "curvature", arguments)["everywhere"];
+    for bounds in everywhere["cells"].as_array().expect("cells") {
+        let [low, high] = [0, 1].map(|k| bounds[k].as_f64().expect("a number"));
+        // R = 2/10² of the smooth metric, to the first order of a mesh of size 1/10 of the radius.
+        assert!(low > 0.015 && high < 0.025, "{bounds}");
+    }
+    let inner = |s: &&Value| s["interior"].as_bool() == Some(true);
+    let count = |list: &str| {
+        everywhere[list]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .filter(inner)
+            .count()
+    };
+    assert_eq!((count("faces"), count("hinges")), (40, 9));
 }

@@ -58,6 +58,7 @@ fn what_is_written_is_what_the_schema_says() {
         ("action", space.to_owned()),
         ("action", format!("{space} --certified")),
         ("curvature", format!("{metric} --certified")),
+        ("curvature", format!("{metric} --certified --degree 1")),
         ("action", format!("{space} --degree 1")),
         (
             "converge",

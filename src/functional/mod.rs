@@ -13,6 +13,8 @@
 //! | [`regge_action`], [`action_gradient`], [`action_hessian`] | Regge's action and equations | |
 //! | [`angle_defects`], [`cell_volumes`] | Θ_S at barycentres, sizes of hinges and cells | |
 //! | [`enclosed`] | Θ_S, \|S\|, the action and its gradient, with proven digits | |
+//! | [`enclosed_curvature`] | bounds of R, ⟦H⟧ and Θ over whole cells, faces and hinges | |
+//! | [`proven_metric`] | is g positive definite everywhere? | |
 //! | [`integrate`] | any density on k-simplices, seen from the cells around | |
 //!
 //! The three sums over cells T, faces F and hinges S are kept apart. A measure is evaluated cell by cell and knows nothing of
@@ -42,7 +44,7 @@ pub use curvature::{
     smooth_curvature, smooth_curvatures,
 };
 pub use einstein::{a_h, einstein, einstein_against};
-pub use enclosed::{Enclosed, enclosed};
+pub use enclosed::{Enclosed, EnclosedCurvature, enclosed, enclosed_curvature, proven_metric};
 pub use hessian::b_h;
 pub use integrate::integrate;
 pub use rules::{Rules, Sums, Three};

@@ -68,6 +68,14 @@ impl Interval {
         (first == last && first.abs() < 1e15).then_some(first as i64)
     }
 
+    /// From one bound to the other; undefined if one of them does not exist, as ∞ − ∞ does not.
+    fn between(low: f64, high: f64) -> Self {
+        if low.is_nan() || high.is_nan() {
+            return Self::UNDEFINED;
+        }
+        Self { low, high }
+    }
+
     /// From the least to the largest of these bounds; undefined if one of them is.
     fn around(ends: [[f64; 2]; 4]) -> Self {
         if ends.iter().flatten().any(|x| x.is_nan()) {
@@ -78,8 +86,8 @@ impl Interval {
         Self { low, high }
     }
 
-    /// The smallest interval that contains both.
-    fn hull(self, other: Self) -> Self {
+    /// The smallest interval that contains both; undefined if one of them is.
+    pub fn hull(self, other: Self) -> Self {
         if self.low.is_nan() || other.low.is_nan() {
             return Self::UNDEFINED;
         }
@@ -208,20 +216,14 @@ fn acute_angle(s: Interval, c: Interval) -> Interval {
 impl Add for Interval {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self {
-            low: sum(self.low, other.low)[0],
-            high: sum(self.high, other.high)[1],
-        }
+        Self::between(sum(self.low, other.low)[0], sum(self.high, other.high)[1])
     }
 }
 
 impl Sub for Interval {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self {
-            low: sum(self.low, -other.high)[0],
-            high: sum(self.high, -other.low)[1],
-        }
+        self + -other
     }
 }
 

@@ -71,6 +71,16 @@ impl<C: Copy, const N: usize> ReggeFunction<C, N> {
     }
 }
 
+impl<C: Copy, const N: usize> ReggeFunction<C, N> {
+    /// The Bernstein coefficients of the components on a cell, in any scalar: of g_ii, then of g_ij with i < j row by row,
+    /// `[component][α]`, one after the other.
+    pub fn components<F: Field>(&self, cell: usize, number: impl Fn(C) -> F) -> Vec<F> {
+        let mut local: Vec<F> = self.local(cell).into_iter().map(number).collect();
+        components_from_edges::<F, N>(&mut local);
+        local
+    }
+}
+
 impl<const N: usize> ReggeFunction<f64, N> {
     /// Is it a metric: positive definite at all given points of every cell?
     ///
@@ -200,9 +210,7 @@ where
     }
 
     fn on_cell(&self, cell: usize) -> Vec<C> {
-        let mut local = self.local(cell);
-        components_from_edges::<C, N>(&mut local);
-        local
+        self.components(cell, |c| c)
     }
 
     #[inline]

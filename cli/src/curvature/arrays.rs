@@ -93,6 +93,7 @@ impl Arrays for CurvatureReport {
             faces: None,
             cells: None,
             enclosures: self.enclosures.clone(),
+            everywhere: self.everywhere.clone(),
             fields: None,
             ..*self
         };

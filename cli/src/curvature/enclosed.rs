@@ -53,7 +53,7 @@ pub struct EdgeEnclosure {
     pub derivative: Bounds,
 }
 
-fn bounds(x: Interval) -> Bounds {
+pub(super) fn bounds(x: Interval) -> Bounds {
     [x.low(), x.high()]
 }
 

@@ -1,6 +1,7 @@
 //! A Regge metric's sums, norm and local curvature, gathered in a report.
 
 use super::enclosed::enclosures;
+use super::everywhere::everywhere;
 use super::fields::fields;
 use super::given::{Given, Phase};
 use super::norm::Norm;
@@ -72,8 +73,11 @@ pub fn report<const N: usize>(
         phase("integrating simplex by simplex");
         simplex_by_simplex(given, request, &tests, &sums, &mut report);
     }
-    if request.certified {
-        report.enclosures = Some(enclosures(given, phase)?);
+    // Curved cells have a degree of their own.
+    match (request.certified, given.g_h.space().degree()) {
+        (false, _) => {}
+        (true, 0) => report.enclosures = Some(enclosures(given, phase)?),
+        (true, _) => report.everywhere = Some(everywhere(given, phase)?),
     }
     Ok(report)
 }

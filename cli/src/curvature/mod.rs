@@ -6,6 +6,7 @@ mod drawn;
 mod einstein;
 mod enclosed;
 mod evaluate;
+mod everywhere;
 mod fields;
 mod given;
 mod norm;
@@ -23,6 +24,7 @@ pub use arrays::Arrays;
 pub use drawn::{Fields, FlatPiece};
 pub use einstein::{EinsteinReport, EinsteinSums, einstein};
 pub use enclosed::{Bounds, EdgeEnclosure, Enclosures, HingeEnclosure};
+pub use everywhere::{Everywhere, Signs, SimplexBounds};
 pub use given::{Phase, Source};
 pub use norm::LARGEST_WITH_NORM;
 pub use report::{
@@ -69,7 +71,7 @@ pub struct Request {
     pub fields: bool,
     /// The table of the vertices, with R_h there?
     pub table: bool,
-    /// Enclosures? For degree 0 only.
+    /// Enclosures for degree 0, bounds everywhere for higher ones?
     pub certified: bool,
 }
 

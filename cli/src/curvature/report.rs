@@ -2,6 +2,7 @@
 
 use super::drawn::Fields;
 use super::enclosed::Enclosures;
+use super::everywhere::Everywhere;
 use super::given::Given;
 use super::settle::{SUMS_SETTLE, Settled};
 use super::topology::Piece;
@@ -53,6 +54,9 @@ pub struct CurvatureReport {
     /// What is proven of the numbers, if that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub enclosures: Option<Enclosures>,
+    /// What is proven of the curvature at every point, if that was asked for and the degree is not 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub everywhere: Option<Everywhere>,
     /// What there is to be seen, if that was asked for.
     #[serde(skip)]
     pub fields: Option<Fields>,

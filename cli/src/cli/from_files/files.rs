@@ -1,6 +1,6 @@
 //! The files of a report, and what its first lines on the terminal say: shared by the commands for meshes from files.
 
-use regge_cli::curvature::{About, Arrays, Enclosures, Parts};
+use regge_cli::curvature::{About, Arrays, Enclosures, Everywhere, Parts, Signs, SimplexBounds};
 use regge_cli::npz;
 use regge_terminal::output::{self, Named};
 use regge_terminal::{Out, Stop, Voice};
@@ -56,7 +56,7 @@ impl Files {
     }
 }
 
-/// Enclosures are for edge lengths.
+/// The enclosures of an action are for edge lengths.
 pub fn check_certified(certified: bool, degree: usize) -> Result<(), Stop> {
     if certified && degree > 0 {
         let reason = format!("--certified is for degree 0, not {degree}");
@@ -85,6 +85,34 @@ pub fn show_certified(out: &mut Out, enclosures: &Enclosures) -> io::Result<()> 
         out,
         "certified: {count} angle defects, each to {widest:.1e} at most"
     )
+}
+
+/// What is proven of a metric of higher degree at every point.
+pub fn show_everywhere(out: &mut Out, all: &Everywhere) -> io::Result<()> {
+    let cells = all.cells.len();
+    writeln!(
+        out,
+        "certified: the metric is positive definite everywhere on its {cells} cells"
+    )?;
+    let inside =
+        |all: &[SimplexBounds]| Signs::of(all.iter().filter(|s| s.interior).map(|s| &s.bounds));
+    let lists = [
+        ("R", "cells", Signs::of(all.cells.iter())),
+        ("the jump of H", "inner faces", inside(&all.faces)),
+        ("the angle defect", "inner hinges", inside(&all.hinges)),
+    ];
+    for (what, simplices, signs) in lists {
+        let Signs {
+            positive,
+            negative,
+            unknown,
+        } = signs;
+        writeln!(
+            out,
+            "certified: {what} is positive everywhere on {positive} {simplices}, negative everywhere on {negative}, neither is shown on {unknown}"
+        )?;
+    }
+    Ok(())
 }
 
 /// The lists of a report, and what stands alone in it as text.

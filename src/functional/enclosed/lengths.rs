@@ -1,9 +1,9 @@
 //! Classical Regge calculus with proven digits: the production corner over intervals.
 
-use super::action::check_degree;
 use crate::Error;
 use crate::density::{Corner, outward};
 use crate::formulas::PAPER;
+use crate::functional::action::check_degree;
 use crate::linalg::{Mat, Vector, indefinite_pivot, inverse_and_det, ldlt, symmetric};
 use crate::mesh::Mesh;
 use crate::parallel::in_order;
@@ -139,7 +139,11 @@ fn on_cell<const N: usize>(g: &ReggeFunction<f64, N>, cell: usize) -> Result<OnC
         let nu: [Vector<Interval, N>; 2] = [outward(apart[0]), outward(apart[1])];
         let corner = Corner::new(&PAPER, &inverse, det, [&nu[0], &nu[1]]);
         let (sin, cos) = corner.dihedral();
-        let size = corner.omega() * per_size;
+        // A vertex of a surface has the size 1, however thin the triangle is.
+        let size = match N {
+            2 => Interval::one(),
+            _ => corner.omega() * per_size,
+        };
         // ∂|S|/∂ℓ = 2ℓ ∂|S|/∂ℓ² = ℓ Tr(∂g/∂ℓ² |_S) |S|; an edge outside of S has none.
         let rate = |(e, edge): (usize, &Vec<usize>)| {
             if !edge.iter().all(|v| hinge.contains(v)) {
