@@ -71,10 +71,15 @@ impl Bar {
         (state.position, state.message) = (state.position + 1, message.into());
     }
 
+    /// Is there anybody who sees it?
+    pub fn is_drawn(&self) -> bool {
+        self.drawing.is_some()
+    }
+
     /// Prints with the bar out of the way.
     pub fn aside<T>(&self, print: impl FnOnce() -> T) -> T {
         let _not_drawn = locked(&self.state);
-        if self.drawing.is_some() {
+        if self.is_drawn() {
             clear();
         }
         print()

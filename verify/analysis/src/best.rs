@@ -53,6 +53,15 @@ impl Form {
         }
     }
 
+    /// Its value.
+    pub fn energy(&self, x: &[f64]) -> f64 {
+        let of = |(c, r, value): &(u32, u32, f64)| {
+            let twice = if c == r { 1.0 } else { 2.0 };
+            twice * value * x[*c as usize] * x[*r as usize]
+        };
+        self.entries.iter().map(of).sum()
+    }
+
     /// Adds a multiple of another form.
     pub fn add_form(&mut self, factor: f64, other: &Self) {
         let scaled = other.entries.iter().map(|&(c, r, x)| (c, r, factor * x));

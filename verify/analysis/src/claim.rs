@@ -3,6 +3,8 @@
 use crate::finding::Finding;
 use crate::series::Series;
 use regge_curvature::Error;
+use regge_curvature::formulas::{Formulas, PAPER};
+use regge_curvature::functional::Rules;
 
 /// How much is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,9 +13,30 @@ pub struct Effort {
     pub seed: u64,
     /// Fewer levels, one run.
     pub quick: bool,
+    /// The formulas that the library computes by: the paper's, but where somebody wants to see which verdicts turn.
+    pub formulas: Formulas,
 }
 
 impl Effort {
+    /// By the paper's formulas.
+    pub const fn new(seed: u64, quick: bool) -> Self {
+        Self {
+            seed,
+            quick,
+            formulas: PAPER,
+        }
+    }
+
+    /// The same by other formulas.
+    pub const fn with_formulas(self, formulas: Formulas) -> Self {
+        Self { formulas, ..self }
+    }
+
+    /// Rules of this order, with the formulas.
+    pub fn rules(&self, dimension: usize, order: usize) -> Rules {
+        Rules::new(dimension, order).with_formulas(self.formulas)
+    }
+
     /// The seeds of the runs.
     pub fn seeds(&self) -> Vec<u64> {
         let runs = if self.quick { 1 } else { 3 };

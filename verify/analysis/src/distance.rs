@@ -64,6 +64,29 @@ impl Distance {
         }
     }
 
+    /// (weight, h_T^order |∂^order ·|) at the points of a rule in all cells, the weights with the volume.
+    pub fn at_points<const N: usize, S: Evaluate<f64, N>>(
+        mesh: &Mesh<N>,
+        field: &S,
+        rule: &Rule,
+        order: usize,
+    ) -> Vec<(f64, f64)> {
+        let table = field.tabulate(rule.points());
+        let mut all = Vec::new();
+        for cell in 0..mesh.cell_count() {
+            let (local, frame) = (field.on_cell(cell), euclidean_frame(mesh, cell));
+            let volume = stretch(mesh, cell);
+            let h = diameter(mesh, cell, &(0..=N).collect::<Vec<_>>());
+            for (point, weight) in rule.weights().iter().enumerate() {
+                let jets = field.jet2(&local, &table, point);
+                let components = tensor_components(&jets, &frame, order);
+                let square: f64 = components.iter().map(|x| x * x).sum();
+                all.push((weight * volume, h.powi(order as i32) * square.sqrt()));
+            }
+        }
+        all
+    }
+
     /// max_T h_T^power |·|_{W^{order,∞}(T)}.
     pub fn sup(&self, order: usize, power: i32) -> f64 {
         let all = self

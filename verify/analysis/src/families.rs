@@ -46,6 +46,27 @@ pub fn mesh<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
     moved(&cube, points)
 }
 
+/// Freudenthal's cube of boxes whose sides vary by up to a half in a random periodic pattern, and the grid that they are made of.
+///
+/// # Errors
+/// Never, for a side above 0.
+pub fn gridded<const N: usize>(side: usize, seed: u64) -> Result<(Mesh<N>, [Vec<f64>; N]), Error> {
+    let cube = Mesh::<N>::cube(side)?;
+    let knot = |i: usize, at: usize| {
+        let place = 2.0 * at as f64 / side as f64 - 1.0;
+        let inner = (1..side).contains(&at);
+        let by = if inner { 0.25 / side as f64 } else { 0.0 };
+        place + by * pattern(seed, [at % PERIOD, i].into_iter())
+    };
+    let grids: [Vec<f64>; N] = std::array::from_fn(|i| (0..=side).map(|at| knot(i, at)).collect());
+    let moved_vertex = |vertex: usize| -> Vector<f64, N> {
+        let at = place::<N>(vertex, side + 1);
+        vector(|i| grids[i][at[i]])
+    };
+    let points = (0..cube.count(0)).map(moved_vertex).collect();
+    Ok((moved(&cube, points)?, grids))
+}
+
 /// ℝ^N/2ℤ^N in the same way: without a boundary, and so without a layer of cells where things are different.
 ///
 /// # Errors
@@ -83,6 +104,80 @@ impl<const N: usize> SmoothTensor<N> for Waves {
         symmetric(|i, j| match i == j {
             true => S::one() + wave(0.15, x[i], 0.6 * i as f64),
             false => wave(0.06, x[i] + x[j], 0.3 * (i + j) as f64),
+        })
+    }
+}
+
+/// A metric on (−1, 1)^N that is flat near the boundary, to so high an order that its curvature vanishes there.
+#[derive(Clone, Copy, Debug)]
+pub struct Dome;
+
+impl<const N: usize> SmoothTensor<N> for Dome {
+    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
+        let bump = x.iter().fold(S::one(), |product, x| {
+            let factor = S::one() - *x * *x;
+            product * factor * factor * factor * factor
+        });
+        symmetric(|i, j| match i == j {
+            true => S::one() + bump * (S::from_f64(0.4) + S::from_f64(0.2) * x[(i + 1) % N]),
+            false => bump * (S::from_f64(0.15) + S::from_f64(0.1) * x[i]),
+        })
+    }
+}
+
+/// Every cell cut at its barycentre, as Alfeld does: hinges of valence N + 1, and cells that are flatter.
+///
+/// # Errors
+/// If a mesh has no coordinates.
+pub fn alfeld<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
+    let whole = mesh::<N>(side, seed)?;
+    let points = whole.points().ok_or(Error::NoCoordinates("a mesh"))?;
+    let (mut points, mut cells) = (points.to_vec(), Vec::new());
+    for cell in 0..whole.cell_count() {
+        let vertices: Vec<usize> = whole
+            .vertices(N, cell)
+            .iter()
+            .map(|v| *v as usize)
+            .collect();
+        let sum: Vector<f64, N> = vertices.iter().map(|v| points[*v]).sum();
+        for left_out in 0..=N {
+            let mut part = vertices.clone();
+            part[left_out] = points.len();
+            cells.push(part);
+        }
+        points.push(sum / (N + 1) as f64);
+    }
+    Mesh::new(points, &cells)
+}
+
+/// Graded towards the centre: cubes' surfaces go to cubes' surfaces, those at distance ρ to ρ², so that cells are ever smaller there
+/// and keep a shape.
+///
+/// # Errors
+/// If a mesh has no coordinates.
+pub fn graded<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
+    let even = mesh::<N>(side, seed)?;
+    let points = even.points().ok_or(Error::NoCoordinates("a mesh"))?;
+    let inward = |p: &Vector<f64, N>| *p * p.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
+    moved(&even, points.iter().map(inward).collect())
+}
+
+/// δ times 1 + |x|^α/4 with a half-integer α, and what makes it no conformal metric: not smooth at 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Pointed {
+    /// α = k + 1/2.
+    pub k: usize,
+}
+
+impl<const N: usize> SmoothTensor<N> for Pointed {
+    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
+        // Differentiable at 0, where nothing but an upper bound is looked at.
+        let tiny = S::from_f64(1e-24);
+        let radius = x.iter().fold(tiny, |sum, x| sum + *x * *x).sqrt();
+        let power = (0..self.k).fold(radius.sqrt(), |power, _| power * radius);
+        symmetric(|i, j| match i == j {
+            true => S::one() + power * S::from_f64(0.25 + 0.1 * i as f64),
+            false => power * S::from_f64(0.1),
         })
     }
 }

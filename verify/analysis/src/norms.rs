@@ -2,18 +2,21 @@
 
 use crate::best::Form;
 use crate::local::{
-    Gram, frame_of, function_components, functions, push_components, tensor_components, tensors,
+    Functions, Gram, frame_of, function_components, functions, push_components, tensor_components,
+    tensors,
 };
 use crate::pieces::{Pieces, Unknowns, diameter, stretch};
 use regge_curvature::Error;
 use regge_curvature::density::{Normal, omega, outward};
 use regge_curvature::field::Evaluate;
 use regge_curvature::formulas::PAPER;
+use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::{Mat, Vector, contract, inverse_and_det};
 use regge_curvature::mesh::Side;
 use regge_curvature::quadrature::Rule;
 use regge_curvature::riemann::{Connection, differential, reverse_trace};
-use regge_curvature::simplex::subsets;
+use regge_curvature::simplex::{Points, subsets};
+use std::borrow::Cow;
 
 /// Terms Σ_T h_T^power |·|²_{H^order(T)}.
 pub type Terms<'a> = &'a [(usize, i32)];
@@ -129,7 +132,7 @@ pub fn zero_norm<const N: usize, G: Evaluate<f64, N>>(
             let frame = frame_of(&g).ok_or_else(indefinite)?;
             let of = |psi: &Mat<_, N>| {
                 let mut all = Vec::new();
-                let value = psi.map(|x: regge_curvature::jet::Jet2<f64, N>| x.value);
+                let value = psi.map(|x: Jet2<f64, N>| x.value);
                 push_components(
                     &reverse_trace(&PAPER, &g, &inverse, &value),
                     &frame,
@@ -171,7 +174,7 @@ fn add_normal_components<const N: usize, G: Evaluate<f64, N>>(
                 let (inverse, det) = inverse_and_det(&g);
                 let normal = Normal::new(&PAPER, &inverse, det, &outward(N - place));
                 let of = |psi: &Mat<_, N>| {
-                    let value = psi.map(|x: regge_curvature::jet::Jet2<f64, N>| x.value);
+                    let value = psi.map(|x: Jet2<f64, N>| x.value);
                     vec![normal.normal_normal(&reverse_trace(&PAPER, &g, &inverse, &value))]
                 };
                 let all: Vec<_> = basis[point].iter().map(of).collect();
@@ -187,23 +190,63 @@ fn indefinite() -> Error {
     Error::Solver("a metric of the analysis is not positive definite".into())
 }
 
-/// ‖v‖²_{2,h,g} over the v of these unknowns; the paper's with [`Faces::all`]`(-1)`.
+/// Functions on a mesh, cell by cell.
+pub trait Basis<const N: usize> {
+    /// What is prepared from points alone.
+    type Table;
+
+    /// How many unknowns there are.
+    fn size(&self) -> usize;
+    /// Those of the functions on a cell.
+    fn on(&self, cell: usize) -> Vec<usize>;
+    /// Prepares points.
+    fn table(&self, points: &Points) -> Self::Table;
+    /// The functions on a cell at a point, in the order of the unknowns, in reference coordinates.
+    fn jets<'t>(
+        &self,
+        cell: usize,
+        table: &'t Self::Table,
+        point: usize,
+    ) -> Cow<'t, [Jet2<f64, N>]>;
+}
+
+impl<const N: usize> Basis<N> for Unknowns<N> {
+    type Table = Functions<N>;
+
+    fn size(&self) -> usize {
+        self.len()
+    }
+
+    fn on(&self, cell: usize) -> Vec<usize> {
+        self.of_functions(cell)
+    }
+
+    fn table(&self, points: &Points) -> Functions<N> {
+        functions(self.functions.degree(), points)
+    }
+
+    fn jets<'t>(&self, _: usize, table: &'t Functions<N>, point: usize) -> Cow<'t, [Jet2<f64, N>]> {
+        Cow::Borrowed(&table[point])
+    }
+}
+
+/// ‖v‖²_{2,h,g} over the v of a basis; the paper's with [`Faces::all`]`(-1)`.
 ///
 /// # Errors
 /// If g is not positive definite.
-pub fn two_norm<const N: usize, G: Evaluate<f64, N>>(
+pub fn two_norm<const N: usize, G: Evaluate<f64, N>, B: Basis<N>>(
     pieces: &Pieces<N>,
-    u: &Unknowns<N>,
+    u: &B,
     g: &G,
     faces: Faces,
     order: usize,
 ) -> Result<Form, Error> {
     let [cells, sides] = rules::<N>(order);
-    let p = u.functions.degree();
-    let (basis, table) = (functions(p, cells.points()), g.tabulate(cells.points()));
-    let mut form = Form::zero(u.len());
+    let (basis, table) = (u.table(cells.points()), g.tabulate(cells.points()));
+    let mut form = Form::zero(u.size());
     for cell in 0..pieces.mesh.cell_count() {
-        let (local, mut gram) = (g.on_cell(cell), Gram::new(basis[0].len()));
+        let (local, unknowns) = (g.on_cell(cell), u.on(cell));
+        let mut gram = Gram::new(unknowns.len());
         for (point, weight) in cells.weights().iter().enumerate() {
             let connection = Connection::new(&g.jet1(&local, &table, point));
             let frame = frame_of(&connection.g).ok_or_else(indefinite)?;
@@ -212,32 +255,33 @@ pub fn two_norm<const N: usize, G: Evaluate<f64, N>>(
                 push_components(&connection.hessian(v), &frame, &mut all);
                 all
             };
-            let all: Vec<_> = basis[point].iter().map(of).collect();
+            let all: Vec<_> = u.jets(cell, &basis, point).iter().map(of).collect();
             gram.add(weight * omega(&PAPER, connection.det), &all);
         }
-        form.add(&u.of_functions(cell), &gram.matrix());
+        form.add(&unknowns, &gram.matrix());
     }
-    let slopes = Slopes::new(g, p, &sides);
+    let slopes = Slopes::new(g, u, &sides);
     for face in 0..pieces.mesh.count(N - 1) {
         if faces.has(pieces.mesh.is_interior(N - 1, face)) {
-            slopes.add_jump(pieces, u, face, faces.power, &mut form);
+            slopes.add_jump(pieces, face, faces.power, &mut form);
         }
     }
     Ok(form)
 }
 
 /// dv(n_g) on the sides of faces.
-struct Slopes<'a, const N: usize, G: Evaluate<f64, N>> {
+struct Slopes<'a, const N: usize, G: Evaluate<f64, N>, B: Basis<N>> {
     g: &'a G,
+    u: &'a B,
     rule: &'a Rule,
     /// By place.
     tables: Vec<G::Table>,
-    bases: Vec<crate::local::Functions<N>>,
+    bases: Vec<B::Table>,
     vertices: Vec<Vec<usize>>,
 }
 
-impl<'a, const N: usize, G: Evaluate<f64, N>> Slopes<'a, N, G> {
-    fn new(g: &'a G, p: usize, rule: &'a Rule) -> Self {
+impl<'a, const N: usize, G: Evaluate<f64, N>, B: Basis<N>> Slopes<'a, N, G, B> {
+    fn new(g: &'a G, u: &'a B, rule: &'a Rule) -> Self {
         let vertices = subsets(N + 1, N);
         let points: Vec<_> = vertices
             .iter()
@@ -247,7 +291,8 @@ impl<'a, const N: usize, G: Evaluate<f64, N>> Slopes<'a, N, G> {
             g,
             rule,
             tables: points.iter().map(|points| g.tabulate(points)).collect(),
-            bases: points.iter().map(|points| functions(p, points)).collect(),
+            bases: points.iter().map(|points| u.table(points)).collect(),
+            u,
             vertices,
         }
     }
@@ -257,30 +302,20 @@ impl<'a, const N: usize, G: Evaluate<f64, N>> Slopes<'a, N, G> {
         let g = self.g.value(local, &self.tables[side.place], point);
         let (inverse, det) = inverse_and_det(&g);
         let normal = Normal::new(&PAPER, &inverse, det, &outward(N - side.place));
-        let slope = |v: &regge_curvature::jet::Jet2<f64, N>| {
+        let slope = |v: &Jet2<f64, N>| {
             let dv: Vector<f64, N> =
                 differential(v).map(|x: regge_curvature::jet::Jet1<f64, N>| x.value);
             contract(&dv, &normal.n)
         };
-        let all = self.bases[side.place][point].iter().map(slope).collect();
-        (all, normal.omega)
+        let jets = self.u.jets(side.cell, &self.bases[side.place], point);
+        (jets.iter().map(slope).collect(), normal.omega)
     }
 
     /// Adds h_F^power ‖⟦dv(n)⟧‖² on a face.
-    fn add_jump(
-        &self,
-        pieces: &Pieces<N>,
-        u: &Unknowns<N>,
-        face: usize,
-        power: i32,
-        form: &mut Form,
-    ) {
+    fn add_jump(&self, pieces: &Pieces<N>, face: usize, power: i32, form: &mut Form) {
         let sides: Vec<Side> = pieces.mesh.star(N - 1, face).collect();
         let locals: Vec<G::Local> = sides.iter().map(|side| self.g.on_cell(side.cell)).collect();
-        let unknowns: Vec<usize> = sides
-            .iter()
-            .flat_map(|side| u.of_functions(side.cell))
-            .collect();
+        let unknowns: Vec<usize> = sides.iter().flat_map(|side| self.u.on(side.cell)).collect();
         let (first, mut gram) = (sides[0], Gram::new(unknowns.len()));
         let h = diameter(&pieces.mesh, first.cell, &self.vertices[first.place]).powi(power);
         for (point, weight) in self.rule.weights().iter().enumerate() {

@@ -99,6 +99,19 @@ pub fn stretch<const N: usize>(mesh: &Mesh<N>, cell: usize) -> f64 {
     inverse_and_det(&(jacobian.transpose() * jacobian)).1.sqrt()
 }
 
+/// max_T h_T/ρ_T, ρ_T the radius of the inscribed ball. Paper: section 4, C_0.
+pub fn shape_regularity<const N: usize>(mesh: &Mesh<N>) -> f64 {
+    let all: Vec<usize> = (0..=N).collect();
+    let of = |cell: usize| {
+        // The rows of J⁻¹ are ∇λ_i, one over the heights; 1/ρ is the sum of their lengths.
+        let inverse = euclidean_frame(mesh, cell);
+        let first: Vector<f64, N> = inverse.transpose() * Vector::repeat(-1.0);
+        let others: f64 = inverse.row_iter().map(|row| row.norm()).sum();
+        diameter(mesh, cell, &all) * (first.norm() + others)
+    };
+    (0..mesh.cell_count()).map(of).fold(0.0, f64::max)
+}
+
 /// Unknowns: those of σ first, then those of v, of which those on the boundary are held.
 #[derive(Clone, Debug)]
 pub struct Unknowns<const N: usize> {

@@ -23,6 +23,11 @@ impl Series {
         Self::over("1/h", points, |h| 1.0 / h)
     }
 
+    /// Values over 1/ε, ε the width of a layer.
+    pub fn over_width(points: &[Vec<(f64, f64)>]) -> Self {
+        Self::over("1/ε", points, |epsilon| 1.0 / epsilon)
+    }
+
     /// Values over a polynomial degree.
     pub fn over_degree(points: &[Vec<(f64, f64)>]) -> Self {
         Self::over("degree", points, |p| p)
@@ -57,6 +62,27 @@ impl Series {
         let run = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a / b).collect();
         Self {
             runs: self.runs.iter().zip(&other.runs).map(run).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// Every value times a factor.
+    pub fn times(&self, factor: f64) -> Self {
+        let run = |run: &Vec<f64>| run.iter().map(|x| factor * x).collect();
+        Self {
+            runs: self.runs.iter().map(run).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// Every value over a power of h, by the levels 1/h: what a claim would have with so many more powers of h.
+    pub fn over_h_power(&self, power: i32) -> Self {
+        let run = |run: &Vec<f64>| {
+            let all = run.iter().zip(&self.levels);
+            all.map(|(x, level)| x * level.powi(power)).collect()
+        };
+        Self {
+            runs: self.runs.iter().map(run).collect(),
             ..self.clone()
         }
     }

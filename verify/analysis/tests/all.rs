@@ -19,13 +19,10 @@ fn read(name: &str) -> String {
 /// Few levels, one run: every claim holds and every forgery is caught. All levels are those of `regge-verify --analysis`.
 #[test]
 fn a_quick_run_holds() {
-    let effort = Effort {
-        seed: 20_261_128,
-        quick: true,
-    };
+    let effort = Effort::new(20_261_128, true);
     let report = run(&effort, &[], &|_, _| ()).expect("everything can be measured");
-    // A07, A21 and A23 are left out: they need larger meshes.
-    assert_eq!(report.claims.len() + 3, ALL.len());
+    // A07, A21, A23, A25, A34, A39 and A40 are left out: they need larger meshes.
+    assert_eq!(report.claims.len() + 7, ALL.len());
     let table = report.table();
     assert!(report.failures().is_empty(), "{table}");
 }

@@ -6,6 +6,8 @@ use regge_analysis::{Effort, is_called};
 use regge_terminal::{Bar, Out, Stop, output};
 use std::io::Write;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::time::Instant;
 
 /// Is this the name of a claim of the analysis, its row or a label of the paper that it has?
 pub fn knows(name: &str) -> bool {
@@ -24,11 +26,7 @@ pub fn run(
             "no claim of the analysis is called {unknown:?}"
         )));
     }
-    let bar = Bar::new(0);
-    let report = regge_analysis::run(effort, only, &|claim, total| {
-        bar.advance(total as u64, format!("{} {}", claim.label, claim.title));
-    });
-    drop(bar);
+    let report = with_progress(effort, only);
     let report = report.map_err(|error| Stop::Failed(error.to_string()))?;
     std::fs::create_dir_all(folder)
         .map_err(|error| Stop::Failed(format!("{}: {error}", folder.display())))?;
@@ -43,6 +41,23 @@ pub fn run(
     write!(out, "{}", report.table())?;
     writeln!(out, "pages: {}", folder.display())?;
     verdict(&report)
+}
+
+/// A bar where standard error is a terminal, a line for each claim where it is a file.
+fn with_progress(effort: &Effort, only: &[String]) -> Result<Report, regge_curvature::Error> {
+    let (bar, start) = (Bar::new(0), Instant::now());
+    let begun = AtomicUsize::new(0);
+    regge_analysis::run(effort, only, &|claim, total| {
+        let what = format!("{} {}", claim.label, claim.title);
+        let number = begun.fetch_add(1, Relaxed) + 1;
+        if !bar.is_drawn() {
+            eprintln!(
+                "{number}/{total} {what} (after {} s)",
+                start.elapsed().as_secs()
+            );
+        }
+        bar.advance(total as u64, what);
+    })
 }
 
 fn verdict(report: &Report) -> Result<(), Stop> {

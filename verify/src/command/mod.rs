@@ -70,10 +70,7 @@ impl Args {
             return write_certificates(folder, self.seed);
         }
         if self.analysis || self.names_analysis_alone() {
-            let effort = Effort {
-                seed: self.seed,
-                quick: self.quick,
-            };
+            let effort = Effort::new(self.seed, self.quick);
             return analysis::run(&effort, &self.only, &self.report, self.json.as_deref());
         }
         self.only.iter().try_for_each(|name| reason(name))?;

@@ -30,15 +30,10 @@ fn b_form<const N: usize>(
     pieces: &Pieces<N>,
     u: &Unknowns<N>,
     g: &ReggeFunction<f64, N>,
-    order: usize,
+    rules: &Rules,
 ) -> Result<Form, Error> {
-    let (degrees, rules) = (
-        [u.tensors.degree(), u.functions.degree()],
-        Rules::new(N, order),
-    );
-    let all = pieces.matrices(degrees, &|sigma, space| {
-        b_h(g, sigma, space, &rules).total()
-    })?;
+    let degrees = [u.tensors.degree(), u.functions.degree()];
+    let all = pieces.matrices(degrees, &|sigma, space| b_h(g, sigma, space, rules).total())?;
     let mut form = Form::zero(u.len());
     for (cell, matrix) in all.iter().enumerate() {
         form.add_between(&u.of_tensors(cell), &u.of_functions(cell), matrix);
@@ -48,6 +43,7 @@ fn b_form<const N: usize>(
 
 /// The best constants on one mesh: as stated; without the boundary's faces in the norm of v; with h_F⁰ for h_F⁻¹ there.
 fn b_constants<const N: usize>(
+    effort: &Effort,
     side: usize,
     seed: u64,
     degrees: [usize; 2],
@@ -55,7 +51,7 @@ fn b_constants<const N: usize>(
     let (pieces, h) = pieces::<N>(side, seed)?;
     let g_h = near(&smooth(&pieces.mesh)?, degrees[0], 0.05, seed)?;
     let (u, order) = (Unknowns::new(&pieces.mesh, degrees), 2 * (degrees[0] + 2));
-    let b = b_form(&pieces, &u, &g_h, order)?;
+    let b = b_form(&pieces, &u, &g_h, &effort.rules(N, order))?;
     let sigma = zero_norm(&pieces, &u, &g_h, Faces::all(1), order)?;
     let against = |faces| {
         let mut norms = two_norm(&pieces, &u, &g_h, faces, order)?;
@@ -95,7 +91,7 @@ fn bhbounded(effort: &Effort) -> Result<Vec<Finding>, Error> {
     for r in 0..3 {
         let sides = effort.levels(&[4, 8, 16, 32], 2);
         let series = effort.sweep(sides, &|side, seed| {
-            b_constants::<2>(side, seed, [r, r + 2])
+            b_constants::<2>(effort, side, seed, [r, r + 2])
         })?;
         all.push(finding(&format!("N = 2, r = {r}, p = {}", r + 2), series));
     }
@@ -103,7 +99,9 @@ fn bhbounded(effort: &Effort) -> Result<Vec<Finding>, Error> {
         if effort.quick {
             continue;
         }
-        let series = effort.sweep(&sides, &|side, seed| b_constants::<3>(side, seed, [r, 2]))?;
+        let series = effort.sweep(&sides, &|side, seed| {
+            b_constants::<3>(effort, side, seed, [r, 2])
+        })?;
         all.push(finding(&format!("N = 3, r = {r}, p = 2"), series));
     }
     Ok(all)

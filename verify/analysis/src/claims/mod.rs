@@ -2,8 +2,15 @@
 
 mod a_form;
 mod b_form;
+mod conforming;
+mod earlier;
+mod heuristics;
+mod hminus2;
 mod interpolation;
 mod jumps;
+mod measures;
+mod meshes;
+mod open;
 mod point;
 mod rates;
 mod segment;
@@ -37,4 +44,20 @@ pub const ALL: &[Claim] = &[
     rates::A22,
     terms::A23,
     terms::A24,
+    measures::A25,
+    earlier::A26,
+    earlier::A27,
+    earlier::A28,
+    earlier::A29,
+    hminus2::A30,
+    hminus2::A31,
+    heuristics::A32,
+    heuristics::A33,
+    conforming::A34,
+    conforming::A35,
+    conforming::A36,
+    meshes::A37,
+    meshes::A38,
+    open::A39,
+    open::A40,
 ];
