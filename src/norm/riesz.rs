@@ -54,7 +54,7 @@ impl<const N: usize> Riesz<N> {
     pub(super) const VH: Kind<N> = Kind {
         name: "vh",
         symbol: "V_h'",
-        about: "the dual of |v|_H1 + (sum of h_T^2 |v|^2_H2(T))^(1/2)",
+        about: "the dual of (|v|^2_H1 + sum of h_T^2 |v|^2_H2(T))^(1/2)",
         degree: |r| r + 3,
         memory: Self::memory,
         new: |setting| Ok(Box::new(Self::new(Energy::Broken, setting)?)),
