@@ -87,6 +87,19 @@ impl Rule {
             Self::Seen => series.runs.iter().flatten().all(|x| x.is_finite()),
         }
     }
+
+    /// How far what is seen is from where the claim would fail: relative to a constant, in orders for a power. There is none where
+    /// nothing is claimed.
+    pub fn room(self, series: &Series) -> Option<f64> {
+        let (seen, _) = self.seen(series);
+        match self {
+            Self::AtMost(c) | Self::Sharp(c, _) => Some(1.0 - seen / c),
+            Self::Bounded => Some(SLACK - seen),
+            Self::Order(order) => Some(seen - (order - SLACK)),
+            Self::Stalls(order) => Some(order - seen),
+            Self::Seen => None,
+        }
+    }
 }
 
 /// A wrong version of what is claimed.
@@ -111,6 +124,8 @@ pub struct Finding {
     pub series: Series,
     /// What must be caught.
     pub forgeries: Vec<Forgery>,
+    /// Of the claim's labels those that it is about; all of them if none is named.
+    pub about: &'static [&'static str],
 }
 
 impl Finding {
@@ -129,6 +144,15 @@ impl Finding {
             rule,
             series,
             forgeries,
+            about: &[],
+        }
+    }
+
+    /// About these of the claim's labels only.
+    pub fn about(self, labels: &'static [&'static str]) -> Self {
+        Self {
+            about: labels,
+            ..self
         }
     }
 
@@ -165,11 +189,13 @@ impl Finding {
         };
         Entry {
             case: self.case.clone(),
+            about: self.about,
             kind: self.rule.kind(),
             claim: self.rule.words(),
             claimed: self.rule.claimed(),
             seen,
             spread,
+            room: self.rule.room(&self.series),
             axis: self.series.axis,
             levels: self.series.levels.clone(),
             values: self.series.runs.clone(),
@@ -184,6 +210,8 @@ impl Finding {
 pub struct Entry {
     /// `N = 3, r = 1`.
     pub case: String,
+    /// The labels of the paper that it is about.
+    pub about: &'static [&'static str],
     /// bound, sharp, rate or observation.
     pub kind: &'static str,
     /// In words.
@@ -194,6 +222,8 @@ pub struct Entry {
     pub seen: f64,
     /// The greatest less the least of the runs' orders.
     pub spread: f64,
+    /// How far that is from where the claim would fail: relative to a constant, in orders for a power.
+    pub room: Option<f64>,
     /// What the levels are.
     pub axis: &'static str,
     /// The levels.
@@ -252,6 +282,29 @@ mod tests {
         assert!(!rule.holds(&Series::samples(vec![1.1, 0.995])));
         let entry = Finding::new("", rule, Series::samples(vec![0.995])).entry();
         assert!(entry.is_good() && entry.forgeries.len() == 1);
+    }
+
+    /// A claim fails where no room is left, but for rounding.
+    #[test]
+    fn room_is_what_is_left_until_a_claim_fails() {
+        let rules = [
+            Rule::Order(1.0),
+            Rule::Stalls(1.0),
+            Rule::Bounded,
+            Rule::AtMost(0.8),
+        ];
+        for rule in rules {
+            for order in [-0.5, 0.1, 0.7, 0.9, 1.2] {
+                let series = powers(order);
+                let room = rule.room(&series).expect("something is claimed");
+                assert_eq!(
+                    rule.holds(&series),
+                    room >= 0.0,
+                    "{rule:?}, {order}: {room}"
+                );
+            }
+        }
+        assert_eq!(Rule::Seen.room(&powers(1.0)), None);
     }
 
     #[test]

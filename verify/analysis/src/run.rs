@@ -27,9 +27,14 @@ pub fn run(
         begin(claim, claims.len());
         let findings = (claim.measure)(effort)
             .map_err(|error| Error::Solver(format!("{}: {error}", claim.label)))?;
+        let measured_of = Measured::new(claim, &findings);
+        if let (false, Some(label)) = (effort.quick, measured_of.silent_on()) {
+            let nothing = format!("{}: no finding is about {label}", claim.label);
+            return Err(Error::Solver(nothing));
+        }
         // A quick run leaves out what cannot be seen on a few small meshes.
         if !(effort.quick && findings.is_empty()) {
-            measured.push(Measured::new(claim, &findings));
+            measured.push(measured_of);
         }
     }
     Ok(Report {

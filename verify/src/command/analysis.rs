@@ -1,5 +1,6 @@
 //! `--analysis`: what the analysis of the paper asserts about constants and convergence.
 
+use super::by_label::Document;
 use regge_analysis::claims::ALL;
 use regge_analysis::report::{Measured, Report, pages};
 use regge_analysis::{Effort, is_called};
@@ -33,9 +34,10 @@ pub fn run(
     for page in pages(&report) {
         output::write(&folder.join(page.name), &page.content)?;
     }
-    output::json(&folder.join("analysis.json"), &report)?;
+    let document = Document::new(&report);
+    output::json(&folder.join("analysis.json"), &document)?;
     if let Some(path) = json {
-        output::json(path, &report)?;
+        output::json(path, &document)?;
     }
     let mut out = Out::new();
     write!(out, "{}", report.table())?;

@@ -1,6 +1,7 @@
 //! The arguments, and what is done with them.
 
 mod analysis;
+mod by_label;
 
 use regge_analysis::Effort;
 use regge_terminal::{Bar, Out, Stop, output};

@@ -11,3 +11,6 @@ mod labels;
 mod program;
 mod proof;
 mod sabotage;
+// What the command line's tests read the same schema by.
+#[path = "../../../cli/tests/common/schema.rs"]
+mod schema;

@@ -154,8 +154,8 @@ fn normv(effort: &Effort) -> Result<Vec<Finding>, Error> {
         let finding = |what: &str, series: &Series| {
             Finding::new(format!("N = {n}, {what}"), Rule::Bounded, series.clone())
         };
-        all.push(finding("‖v‖ at t = 1/2", &middle));
-        let end = finding("‖v‖ at t = 1", &end);
+        all.push(finding("‖v‖ at t = 1/2", &middle).about(&["normv"]));
+        let end = finding("‖v‖ at t = 1", &end).about(&["normv"]);
         // In space the meshes that can be afforded are too coarse for P to be needed.
         all.push(if n == 2 {
             end.forge("no P", without)
@@ -164,10 +164,10 @@ fn normv(effort: &Effort) -> Result<Vec<Finding>, Error> {
         });
         // In space P falls and the quotient rises to its limit on these meshes: seen and not judged.
         if n == 3 {
-            all.push(Finding::new("N = 3, b_h", Rule::Seen, b));
+            all.push(Finding::new("N = 3, b_h", Rule::Seen, b).about(&["prop:bhbound"]));
             return;
         }
-        let b_h = finding("b_h", &b);
+        let b_h = finding("b_h", &b).about(&["prop:bhbound"]);
         all.push(b_h.forge("over one more power of h", b.over_h_power(1)));
     };
     let plane = effort.sweep(&[32, 64, 128], &|side, seed| constants::<2>(8, side, seed));
@@ -300,10 +300,10 @@ fn steps(effort: &Effort) -> Result<Vec<Finding>, Error> {
     let mut add = |n: usize, [normals, gammas, slopes]: [Series; 3], values: Vec<[f64; 2]>| {
         let case = |what: &str| format!("N = {n}, {what}");
         let wrong = normals.over_h_power(1);
-        let finding = Finding::new(case("normals"), Rule::Bounded, normals);
+        let finding = Finding::new(case("normals"), Rule::Bounded, normals).about(&["ndiffLinf"]);
         all.push(finding.forge("over one more power of h", wrong));
         let wrong = gammas.over_h_power(1);
-        let finding = Finding::new(case("Γ"), Rule::Bounded, gammas);
+        let finding = Finding::new(case("Γ"), Rule::Bounded, gammas).about(&["prop:equiv"]);
         all.push(finding.forge("over one more power of h", wrong));
         all.push(Finding::new(
             case("|∂(g_h − g)| over |g_h − g|, which is not bounded"),

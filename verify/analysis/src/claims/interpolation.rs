@@ -90,6 +90,11 @@ fn rates<const N: usize>(
             names[i]
         );
         let finding = Finding::new(case, Rule::Order(order), series);
+        let finding = match (interpolant.name(), other) {
+            ("canonical", _) => finding,
+            (_, None) => finding.about(&["optimalorder_general"]),
+            (_, Some(_)) => finding.about(&["errorterm2"]),
+        };
         all.push(match &less {
             Some(less) => finding.forge("one degree less", less[i].clone()),
             None => finding.forge_claim("an order more", Rule::Order(order + 1.0)),

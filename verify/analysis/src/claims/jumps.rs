@@ -92,10 +92,12 @@ fn second_form(effort: &Effort) -> Result<Vec<Finding>, Error> {
     let sides = effort.levels(&SIDES[1], 3);
     let [_, _, full, values] = effort.sweep(sides, &|side, seed| jumps::<3>(side, seed, 1))?;
     let linear = Finding::new("N = 3, r = 1", Rule::Bounded, full);
+    let linear = linear.about(&["lemma:sffbound", "prop:ahbound"]);
     all.push(linear.forge("L^∞ for W^{1,∞}", values));
     let [_, _, _, values] = effort.sweep(sides, &|side, seed| jumps::<3>(side, seed, 0))?;
     let weaker = h_times(&values);
     let constant = Finding::new("N = 3, r = 0, the remark's bound", Rule::Bounded, values);
+    let constant = constant.about(&["remark:sffbound"]);
     all.push(constant.forge("h ‖g_h − g‖ for ‖g_h − g‖", weaker));
     Ok(all)
 }

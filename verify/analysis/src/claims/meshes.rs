@@ -80,12 +80,15 @@ fn on_meshes<const N: usize>(
         format!("{case}, left over right side"),
         Rule::Bounded,
         quotients,
-    );
+    )
+    .about(&["thm:conv"]);
     let order = r as f64 + 1.0;
     let finding = Finding::new(format!("{case}, order"), Rule::Order(order), errors);
     Ok(vec![
         ratio,
-        finding.forge_claim("an order and a half more", Rule::Order(order + 1.5)),
+        finding
+            .forge_claim("an order and a half more", Rule::Order(order + 1.5))
+            .about(&["cor:conv"]),
     ])
 }
 

@@ -1,6 +1,7 @@
 //! Degree 0 in dimension 3 and 4: what the paper leaves open.
 
 use super::rates::{bubble, bubble_norm, dual_norm, rules};
+use super::terms::LABELS;
 use crate::claim::{Claim, Effort};
 use crate::families::{mesh, near, smooth};
 use crate::finding::{Finding, Rule};
@@ -154,16 +155,19 @@ fn sharp(effort: &Effort) -> Result<Vec<Finding>, Error> {
     let series = effort.sweep(&[6, 8, 12], &four_terms)?;
     let names = ["b_h", "Einstein term", "second-form term", "hinge term"];
     let mut all = Vec::new();
-    for ((name, order), series) in names.into_iter().zip([1.0, 1.0, 1.0, 0.0]).zip(series) {
+    let stated = names.into_iter().zip([1.0, 1.0, 1.0, 0.0]).zip(LABELS);
+    for (((name, order), labels), series) in stated.zip(series) {
         let bound = Finding::new(
             format!("{name}, not worse"),
             Rule::Order(order),
             series.clone(),
         );
-        all.push(bound.forge_claim("an order more", Rule::Order(order + 1.0)));
+        let bound = bound.forge_claim("an order more", Rule::Order(order + 1.0));
+        all.push(bound.about(labels));
         let attained = Rule::Stalls(order + 0.5);
         let finding = Finding::new(format!("{name}, not better"), attained, series);
-        all.push(finding.forge_claim("half an order less", Rule::Stalls(order - 0.5)));
+        let finding = finding.forge_claim("half an order less", Rule::Stalls(order - 0.5));
+        all.push(finding.about(labels));
     }
     Ok(all)
 }

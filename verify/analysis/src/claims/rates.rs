@@ -152,11 +152,11 @@ fn findings<const N: usize>(
         let coarse = N == 3 && r == 2 && matches!(i, 2 | 3);
         let judged = |rule| if coarse { Rule::Seen } else { rule };
         let bounded = judged(Rule::Bounded);
-        all.push(Finding::new(
-            case("left over right side"),
-            bounded,
-            ratio.clone(),
-        ));
+        let left_over_right = Finding::new(case("left over right side"), bounded, ratio.clone());
+        all.push(left_over_right.about(match N {
+            2 => &["thm:conv", "thm:conv:part1", "convN2"],
+            _ => &["thm:conv", "thm:conv:part2", "convN3"],
+        }));
         // The average for r = 0 is the same as the hierarchical one.
         let stated = N == 2 || r > 0;
         if stated {
@@ -164,7 +164,12 @@ fn findings<const N: usize>(
             let finding = Finding::new(case("order"), judged(Rule::Order(order)), error.clone());
             // The canonical interpolant is better than stated for some r and N: that is no forgery.
             let wrong = Rule::Order(order + 1.5);
-            all.push(finding.forge_claim("an order and a half more", wrong));
+            let finding = finding.forge_claim("an order and a half more", wrong);
+            // The averages take values from neighbours: the corollary for them is the remark's.
+            all.push(match i {
+                1 | 2 => finding.about(&["cor:conv", "remark:optimalorder_general"]),
+                _ => finding.about(&["cor:conv"]),
+            });
         }
     }
     Ok(all)
@@ -316,13 +321,17 @@ fn attained(effort: &Effort) -> Result<Vec<Finding>, Error> {
     let mut all = Vec::new();
     let mut add = |n: usize, [left, ratio, without]: [Series; 3]| {
         let case = |what: &str| format!("N = {n}, {what}");
+        let about = |finding: Finding| match n {
+            2 => finding.about(&["thm:conv", "thm:conv:part1", "convN2"]),
+            _ => finding.about(&["thm:conv", "thm:conv:part2", "convN3"]),
+        };
         let above = case("left over right side does not grow");
         let bounded = Finding::new(above, Rule::Bounded, ratio.clone());
-        all.push(bounded.forge("no prefactor", without));
+        all.push(about(bounded.forge("no prefactor", without)));
         let below = case("left over right side does not fall");
-        all.push(Finding::new(below, Rule::Stalls(0.3), ratio));
+        all.push(about(Finding::new(below, Rule::Stalls(0.3), ratio)));
         let error = Finding::new(case("the error itself"), Rule::Stalls(0.3), left);
-        all.push(error.forge_claim("it converges", Rule::Order(0.5)));
+        all.push(about(error.forge_claim("it converges", Rule::Order(0.5))));
     };
     // Coarser meshes are left out of a quick run: the linear part has not died down there.
     let sides = [16, 32, 64, 128, 256];

@@ -33,6 +33,14 @@ const TERMS: [(Quantity, &str); 4] = [
     (Quantity::CriticalTerm, "hinge term"),
 ];
 
+/// What of the paper each of them is about.
+pub(super) const LABELS: [&[&str]; 4] = [
+    &["remark:suboptimal"],
+    &["remark:suboptimal", "einO"],
+    &["remark:suboptimal"],
+    &["remark:suboptimal", "angledefectO"],
+];
+
 fn norms(
     side: usize,
     seed: u64,
@@ -91,7 +99,8 @@ fn terms(effort: &Effort) -> Result<Vec<Finding>, Error> {
                 };
                 let finding = Finding::new(case, rule, series);
                 let wrong = Rule::Order(order + 2.5);
-                all.push(finding.forge_claim("two and a half orders more", wrong));
+                let finding = finding.forge_claim("two and a half orders more", wrong);
+                all.push(finding.about(LABELS[i]));
             }
         }
     }

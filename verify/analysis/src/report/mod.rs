@@ -1,8 +1,10 @@
 //! Floor 4. What was measured: data, a table, pages.
 
 mod chart;
+mod label;
 mod page;
 
+pub use label::{OfLabel, Row, of_label};
 pub use page::{Page, pages};
 
 use crate::claim::Claim;
@@ -45,13 +47,22 @@ pub struct Measured {
 impl Measured {
     /// A claim with its findings.
     pub fn new(claim: &Claim, findings: &[Finding]) -> Self {
+        let entry = |finding: &Finding| {
+            let entry = finding.entry();
+            // What names no label is about all of the claim's.
+            let about = match entry.about {
+                [] => claim.paper,
+                some => some,
+            };
+            Entry { about, ..entry }
+        };
         Self {
             label: claim.label,
             paper: claim.paper,
             title: claim.title,
             statement: one_line(claim.statement),
             how: claim.how,
-            findings: findings.iter().map(Finding::entry).collect(),
+            findings: findings.iter().map(entry).collect(),
         }
     }
 
@@ -71,6 +82,12 @@ impl Measured {
     /// Does it hold, with every forgery caught?
     pub fn is_good(&self) -> bool {
         matches!(self.verdict(), "holds" | "observed")
+    }
+
+    /// A label of the claim that no finding is about.
+    pub fn silent_on(&self) -> Option<&'static str> {
+        let about = |label: &&&'static str| self.findings.iter().any(|f| f.about.contains(label));
+        self.paper.iter().find(|label| !about(label)).copied()
     }
 
     fn forgeries(&self) -> usize {
