@@ -101,7 +101,7 @@ pub fn add<C: Pointwise, const N: usize>(all: &mut Catalogue) {
                 reduced: in_form::<C, N>,
                 elsewhere: in_other_coordinates::<C, N>,
                 changes: |form| {
-                    if Form::of(form) == Form::Place {
+                    if Form::of(form).is_free() {
                         0
                     } else {
                         extra::<N>()
@@ -157,7 +157,7 @@ fn in_other_coordinates<C: Pointwise, const N: usize>(
 ) -> Vec<Equation<Recorded>> {
     let form = Form::of(form);
     let (instance, _) = reduced::<Jet1<Recorded, 1>, N>(form, numbers, formulas);
-    if form == Form::Place {
+    if form.is_free() {
         return C::equations(&instance);
     }
     let below = |k: usize| k < N * N && k / N > k % N;

@@ -120,6 +120,16 @@ impl<S: Timed, const N: usize> Instance<S, N> {
         Corner::new(&self.formulas, &at.inverse, at.det, nu)
     }
 
+    /// f_i with its first two derivatives, i < N ≤ 3, for some functions of one variable each.
+    pub fn functions(&self) -> [Jet2<S::Base, N>; N] {
+        std::array::from_fn(|i| {
+            let mut jet = Jet2::constant(self.spare[3 + i]);
+            jet.d[i] = self.spare[6 + i];
+            jet.dd[i][i] = self.spare[9 + i];
+            jet
+        })
+    }
+
     /// A point of ℝ^N.
     pub fn position(&self) -> [S::Base; N] {
         std::array::from_fn(|k| self.spare[k])

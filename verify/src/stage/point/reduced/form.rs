@@ -20,10 +20,12 @@ pub(in crate::stage::point) enum Form {
     PairNormal,
     /// Numbers that are all free: nothing is brought anywhere.
     Place,
+    /// The same; the last of them are f_i, f_i′ and f_i″ of some functions, of which f_i alone may be in denominators.
+    Functions,
 }
 
 /// In the order in which they are tried.
-pub(in crate::stage::point) const FORMS: [Form; 8] = [
+pub(in crate::stage::point) const FORMS: [Form; 9] = [
     Form::Normal,
     Form::Hinge,
     Form::Vector,
@@ -32,6 +34,7 @@ pub(in crate::stage::point) const FORMS: [Form; 8] = [
     Form::Pair,
     Form::PairNormal,
     Form::Place,
+    Form::Functions,
 ];
 
 const SURFACE: [&str; 3] = ["φ", "∂φ", "∂²φ"];
@@ -54,8 +57,13 @@ impl Form {
             }
             Self::Pair => !surface && !frame && group != "x",
             Self::PairNormal => !frame && group != "x",
-            Self::Place => group == "x",
+            Self::Place | Self::Functions => group == "x",
         }
+    }
+
+    /// Is nothing brought anywhere?
+    pub fn is_free(self) -> bool {
+        matches!(self, Self::Place | Self::Functions)
     }
 
     /// As the pages say it.
@@ -69,6 +77,7 @@ impl Form {
             Self::Pair => "g = δ, g̃ diagonal",
             Self::PairNormal => "g = δ, n = e_N, g̃ = LLᵀ",
             Self::Place => "any point",
+            Self::Functions => "any f, f′, f″",
         }
     }
 }

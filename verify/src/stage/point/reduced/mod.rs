@@ -50,6 +50,12 @@ fn arrange<S: Timed, const N: usize>(
     let mut roots = Vec::new();
     let place = match form {
         Form::Place => list(12, |k| slots.parameter(format!("x{}", k + 1))),
+        Form::Functions => list(12, |k| match (k / 3, k % 3 + 1) {
+            (0, i) => slots.parameter(format!("x{i}")),
+            (1, i) => slots.parameter(format!("f{i}")),
+            (2, i) => slots.jet("f′", format!("f{i}′")),
+            (_, i) => slots.jet("f″", format!("f{i}″")),
+        }),
         _ => vec![S::Base::zero(); 12],
     };
     let (one, nu_bar) = angle(form, slots, &mut roots);

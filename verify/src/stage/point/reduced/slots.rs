@@ -26,6 +26,11 @@ impl<'a, B: Ground> Slots<'a, B> {
         self.take(String::new(), name)
     }
 
+    /// A number of a group of its own.
+    pub fn jet(&mut self, group: &str, name: String) -> B {
+        self.take(group.to_owned(), name)
+    }
+
     fn take(&mut self, group: String, name: String) -> B {
         let place = self.variables.len();
         self.variables.push(Variable { group, name });
