@@ -1,7 +1,9 @@
 //! Floor 1. Work over many items, by threads where the feature `parallel` is on, with results taken in order.
 //!
-//! Inside, what is done for an item is a `&dyn Fn`, so that the machinery of threads is compiled once for each type of result
-//! and not once for each piece of work.
+//! Threads are started in one function, [`spread`], that knows nothing of types: it is compiled once, in this library, and not
+//! for each type of result in each crate that uses it.
+
+use std::sync::{Mutex, PoisonError};
 
 /// How many items are computed before their results are consumed: bounds the memory for results.
 const BATCH: usize = 8192;
@@ -9,8 +11,40 @@ const BATCH: usize = 8192;
 /// The same for [`rows_in_order`], whose results shall stay in the cache.
 const ROWS: usize = 2048;
 
-/// How many items a thread takes at least.
+/// How many items a piece of work has at least.
 const GRAIN: usize = 16;
+
+/// Into how many pieces work is divided at most: more than a machine has threads, so that none waits long for the others.
+const PIECES: usize = 128;
+
+/// `work(i)` for every i below `count`, in any order and by several threads.
+#[cfg(feature = "parallel")]
+fn spread(count: usize, work: &(dyn Fn(usize) + Sync)) {
+    use rayon::prelude::*;
+    (0..count).into_par_iter().for_each(work);
+}
+
+#[cfg(not(feature = "parallel"))]
+fn spread(count: usize, work: &(dyn Fn(usize) + Sync)) {
+    (0..count).for_each(work);
+}
+
+/// `work(i, piece i)` for all pieces, in any order and by several threads.
+fn for_pieces<P: Send>(pieces: impl Iterator<Item = P>, work: &(dyn Fn(usize, P) + Sync)) {
+    let pieces: Vec<_> = pieces.map(|piece| Mutex::new(Some(piece))).collect();
+    spread(pieces.len(), &|i| {
+        let piece = pieces[i]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
+        work(i, piece.expect("a piece is worked on once"));
+    });
+}
+
+/// How many of so many items make a piece, of `grain` at least.
+fn piece_of(count: usize, grain: usize) -> usize {
+    count.div_ceil(PIECES).max(grain)
+}
 
 /// `compute(i)` for i = 0…count−1, in any order and by several threads; `consume(i, …)` in ascending order.
 ///
@@ -43,19 +77,19 @@ pub(crate) fn collect<R: Send>(count: usize, compute: impl Fn(usize) -> R + Sync
     all
 }
 
-#[cfg(feature = "parallel")]
-fn map<R: Send>(start: usize, end: usize, compute: &(dyn Fn(usize) -> R + Sync)) -> Vec<R> {
-    use rayon::prelude::*;
-    (start..end)
-        .into_par_iter()
-        .with_min_len(GRAIN)
-        .map(compute)
-        .collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn map<R: Send>(start: usize, end: usize, compute: &(dyn Fn(usize) -> R + Sync)) -> Vec<R> {
-    (start..end).map(compute).collect()
+/// `compute(i)` for start ≤ i < end.
+fn map<R: Send>(
+    start: usize,
+    end: usize,
+    compute: &(dyn Fn(usize) -> R + Sync),
+) -> impl Iterator<Item = R> {
+    let (count, length) = (end - start, piece_of(end - start, GRAIN));
+    let mut results: Vec<Vec<R>> = (0..count.div_ceil(length)).map(|_| Vec::new()).collect();
+    for_pieces(results.iter_mut(), &|piece, results| {
+        let first = start + piece * length;
+        results.extend((first..(first + length).min(end)).map(compute));
+    });
+    results.into_iter().flatten()
 }
 
 /// [`in_order`] for results of one length: `compute(i, row, room)` fills a row of `width` entries, `zero` before. `room` is a
@@ -107,24 +141,30 @@ fn two_rows<R: Copy + Send + Sync, S: Copy + Send + Sync, W: Send>(
         vec![first.1; first.0 * ROWS.min(count)],
         vec![second.1; second.0 * ROWS.min(count)],
     );
+    let known = "a table has as many rows";
     for start in (0..count).step_by(ROWS) {
         let len = ROWS.min(count - start);
         tables.0.fill(first.1);
         tables.1.fill(second.1);
+        let length = piece_of(len, GRAIN);
         let mut rest = (&mut tables.0[..], &mut tables.1[..]);
-        let known = "a table has as many rows";
-        let mut rows: Vec<(&mut [R], &mut [S])> = (0..len)
-            .map(|_| {
-                let row = rest.0.split_off_mut(..first.0).expect(known);
-                (row, rest.1.split_off_mut(..second.0).expect(known))
-            })
-            .collect();
-        fill(&mut rows, 1, GRAIN, room, &|i, rows, room| {
-            let (row, other) = &mut rows[0];
-            compute(start + i, row, other, room);
+        let pieces = (0..len).step_by(length).map(|from| {
+            let items = from..(from + length).min(len);
+            let rows = rest.0.split_off_mut(..first.0 * items.len());
+            let others = rest.1.split_off_mut(..second.0 * items.len());
+            (items, rows.expect(known), others.expect(known))
         });
-        for (i, (row, other)) in rows.into_iter().enumerate() {
-            consume(start + i, row, other);
+        for_pieces(pieces, &|_, (items, rows, others)| {
+            let mut room = room();
+            for (i, item) in items.enumerate() {
+                let row = &mut rows[i * first.0..][..first.0];
+                let other = &mut others[i * second.0..][..second.0];
+                compute(start + item, row, other, &mut room);
+            }
+        });
+        for i in 0..len {
+            let row = &tables.0[i * first.0..][..first.0];
+            consume(start + i, row, &tables.1[i * second.0..][..second.0]);
         }
     }
 }
@@ -137,35 +177,15 @@ pub(crate) fn for_chunks<T: Send>(
     length: usize,
     work: impl Fn(usize, &mut [T]) + Sync,
 ) {
-    fill(data, length, 1, &|| (), &|i, chunk, ()| work(i, chunk));
+    chunks(data, length, &work);
 }
 
-/// A thread takes `grain` chunks at least.
-#[cfg(feature = "parallel")]
-fn fill<R: Send, W: Send>(
-    data: &mut [R],
-    length: usize,
-    grain: usize,
-    room: &(dyn Fn() -> W + Sync),
-    work: &(dyn Fn(usize, &mut [R], &mut W) + Sync),
-) {
-    use rayon::prelude::*;
-    data.par_chunks_mut(length)
-        .enumerate()
-        .with_min_len(grain)
-        .for_each_init(room, |room, (i, chunk)| work(i, chunk, room));
-}
-
-#[cfg(not(feature = "parallel"))]
-fn fill<R: Send, W: Send>(
-    data: &mut [R],
-    length: usize,
-    _grain: usize,
-    room: &(dyn Fn() -> W + Sync),
-    work: &(dyn Fn(usize, &mut [R], &mut W) + Sync),
-) {
-    let mut room = room();
-    for (i, chunk) in data.chunks_mut(length).enumerate() {
-        work(i, chunk, &mut room);
-    }
+#[cfg(feature = "norms")]
+fn chunks<T: Send>(data: &mut [T], length: usize, work: &(dyn Fn(usize, &mut [T]) + Sync)) {
+    let many = piece_of(data.len().div_ceil(length), 1);
+    for_pieces(data.chunks_mut(many * length), &|piece, data| {
+        for (i, chunk) in (piece * many..).zip(data.chunks_mut(length)) {
+            work(i, chunk);
+        }
+    });
 }
