@@ -1,22 +1,57 @@
 //! Floor 1. The signs and factors of the paper's formulas, as data.
 //!
-//! Production code computes by [`PAPER`]. A sceptic changes a number, `Formulas { second_form: -1, ..PAPER }`, hands it to
-//! [`Rules::with_formulas`](crate::functional::Rules::with_formulas) or to a density, and sees which claims of the
+//! Production code computes by [`PAPER`]. With the feature `formulas`, a sceptic changes a number,
+//! `Formulas { second_form: -1, ..PAPER }`, hands it to `Rules::with_formulas` or to a density, and sees which claims of the
 //! verification fail: the code that is tested is the code that is used.
+//!
+//! Without the feature, `Formulas` has no number of its own, and the compiler sees the paper's wherever one is read. The kernels'
+//! source is the same and so are their results, bit by bit, but asking whether a factor is 1 took a tenth of the time of a
+//! triangle.
 
 use crate::scalar::Field;
 
-/// k x. What is multiplied by 1, as nearly everything is, costs no multiplication.
+/// k x. What is multiplied by 1, as nearly everything is, costs no multiplication, and nothing at all where k is known.
 #[inline]
 pub(crate) fn times<F: Field>(k: i64, x: F) -> F {
     if k == 1 { x } else { x * F::from_int(k) }
 }
 
+/// The formulas by which something is computed: any, for a sceptic.
+#[cfg(feature = "formulas")]
+#[doc(hidden)]
+pub type Formulas = Numbers;
+
+/// The formulas by which everything is computed: the paper's.
+#[cfg(not(feature = "formulas"))]
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Formulas;
+
+#[cfg(not(feature = "formulas"))]
+impl std::ops::Deref for Formulas {
+    type Target = Numbers;
+
+    #[inline]
+    fn deref(&self) -> &Numbers {
+        &NUMBERS
+    }
+}
+
+/// The formulas as the paper has them (with the corrected conormal).
+#[cfg(feature = "formulas")]
+#[doc(hidden)]
+pub const PAPER: Formulas = NUMBERS;
+
+/// The formulas as the paper has them (with the corrected conormal).
+#[cfg(not(feature = "formulas"))]
+#[doc(hidden)]
+pub const PAPER: Formulas = Formulas;
+
 /// The signs and factors of the formulas that the functionals are made of. All are as in [`PAPER`], unless somebody wants to see
 /// what a wrong one does.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Formulas {
+pub struct Numbers {
     /// k in ω = k √det g.
     pub omega: i64,
     /// k in R = k g^jl Ric_jl.
@@ -71,9 +106,8 @@ pub struct Formulas {
     pub a_hinges: i64,
 }
 
-/// The formulas as the paper has them (with the corrected conormal).
-#[doc(hidden)]
-pub const PAPER: Formulas = Formulas {
+/// The paper's.
+const NUMBERS: Numbers = Numbers {
     omega: 1,
     scalar: 1,
     einstein: 1,

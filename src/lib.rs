@@ -142,7 +142,8 @@
 //! Without default features the crate is scalars to functionals on nalgebra and num-dual alone. `norms` adds the H⁻²
 //! norm, the projection R_h and their sparse solver, `parallel` threads (results do not depend on their number), `lanes` SIMD lanes as a
 //! scalar, `tabulated` quadrature rules with fewer points. Off by default: `approx` compares values part by part, derivatives
-//! too, and `serde` writes meshes, Regge functions and results down and reads them again.
+//! too, `serde` writes meshes, Regge functions and results down and reads them again, and `formulas` lets the verification change the
+//! signs and factors of the paper's formulas.
 //!
 //! Lanes are as wide as the compiler's target allows, and the default for x86-64 is half of what nearly every machine has:
 //! build your program with `RUSTFLAGS="-C target-cpu=native"`. `scalar::Lanes::unused_width` tells whether that is missing.

@@ -50,11 +50,10 @@ impl<T: Real> Tables<T> {
         let directions = densities.len() / self.basis[0].len();
         for direction in 0..directions {
             for (p, basis) in self.basis.iter().enumerate() {
-                let own = densities[direction..].iter().step_by(directions);
-                let mut sum = T::zero();
-                for (density, b) in own.zip(basis) {
-                    sum += *density * *b;
-                }
+                let sum = match directions {
+                    1 => product(densities.iter(), basis),
+                    _ => product(densities[direction..].iter().step_by(directions), basis),
+                };
                 add(direction * self.basis.len() + p, sum);
             }
         }
@@ -116,6 +115,16 @@ impl<T: Real> Pairing<T> {
         }
         reduce(acc, row);
     }
+}
+
+/// Σ aᵢ bᵢ.
+#[inline(always)]
+fn product<'a, T: Real>(a: impl Iterator<Item = &'a T>, b: &[T]) -> T {
+    let mut sum = T::zero();
+    for (a, b) in a.zip(b) {
+        sum += *a * *b;
+    }
+    sum
 }
 
 fn reduce<T: Real>(acc: &[T], row: &mut [T::Sum]) {

@@ -46,6 +46,7 @@ impl Rules {
     }
 
     /// Densities by other formulas than the paper's, for a sceptic.
+    #[cfg(feature = "formulas")]
     #[doc(hidden)]
     pub fn with_formulas(self, formulas: Formulas) -> Self {
         Self { formulas, ..self }

@@ -178,6 +178,14 @@ impl<const N: usize> Mesh<N> {
         &layer.of_cell[cell * layer.per_cell..(cell + 1) * layer.per_cell]
     }
 
+    /// The simplex that is at this place in [`Mesh::simplices_of`].
+    #[inline]
+    pub(crate) fn simplex_of(&self, cell: usize, k: usize, place: usize) -> usize {
+        let layer = &self.complex.layers[k];
+        debug_assert!(place < layer.per_cell, "a place of another cell");
+        layer.of_cell[cell * layer.per_cell + place] as usize
+    }
+
     /// The cells that contain a k-simplex, ascending, k < N.
     pub fn star(&self, k: usize, simplex: usize) -> impl ExactSizeIterator<Item = Side> + '_ {
         let stars = &self.complex.layers[k].stars;

@@ -60,7 +60,7 @@ impl Numbering {
         let simplex = if slot.k == N {
             cell
         } else {
-            mesh.simplices_of(cell, slot.k)[slot.place] as usize
+            mesh.simplex_of(cell, slot.k, slot.place)
         };
         self.global(slot.k, simplex, slot.index)
     }
