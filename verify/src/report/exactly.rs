@@ -17,9 +17,11 @@ program, not about a copy of the formulas.
 
 1. **A position.** A constant linear change of coordinates makes g(x) = δ and n(x) = e_N, and a constant triangular matrix \
 makes the frame that of the coordinates. There nothing is divided by but 1, no root is taken but of 1, and both sides are \
-polynomials in what is left of the jets. What a wedge or a second metric adds is a few positive parameters (u, with \
-tan(θ/2) = u or its reciprocal; the entries of a triangular factor), in which both sides are rational; roots of parameters are replaced by the \
-rational functions that they are, and that they are is one more equation of the list.
+polynomials in what is left of the jets. What a wedge adds is a positive parameter, u with tan(θ/2) = u or its reciprocal, in \
+which both sides are rational; so are the lengths that a second metric adds (q, d). Roots of parameters are replaced by the \
+rational functions that they are, and that they are is one more equation of the list. An equation between two metrics whose \
+terms with the one and with the other vanish for themselves is proved in two parts, each in a position of its own metric; where \
+an equation knows of a metric its inverse alone, or two vectors, it is proved for any matrix and any vectors in their place.
 2. **Its monomials.** The program run with sets of degrees in place of numbers yields which monomials there can be, say \
 ∂²σ, (∂²g)σ, (∂g)(∂σ), (∂g)²σ for Ṙ, and the degree in the parameters, denominators cleared. Nobody counts by hand.
 3. **A lattice.** A polynomial with these monomials that vanishes at certain whole points, the principal lattices of the \
@@ -29,7 +31,8 @@ at every point, so it is the zero polynomial. For N = 2 and 3 the proof assistan
 polynomials ([certificates.md](certificates.md)).
 4. **Every other metric.** That the equation holds in all coordinates if it holds in one is an identity of its own: each \
 term changes as a tensor or a density does. This one is *tested*, not proved: at random elements of the fields with \
-2⁶¹ − 1 and 2⁶² − 57 elements, four draws each, with the chance on the page that a wrong term passes.
+2⁶¹ − 1 and 2⁶² − 57 elements, four draws each, with the chance on the page that a wrong term passes. A lattice for it would \
+be too large: for Ṙ and N = 3 it is of degree 66 in the six entries of g and 220 in the nine of A, which takes more than 10²³ points.
 
 So *proved* does not rest on random metrics, floating point numbers or tolerances. It rests on the argument above, on the \
 equivariance with the chance printed, and on the compiler. It says nothing of quadrature or of floating point numbers; those \

@@ -1,6 +1,6 @@
 //! D09, I20: dihedral angles.
 
-use crate::harness::{Equation, Ground, Record, Timed, list};
+use crate::harness::{Equation, Ground, Record, Timed};
 use crate::stage::point::{Instance, Pointwise, orthonormal};
 use regge_curvature::density::{Corner, outward};
 use regge_curvature::linalg::{Vector, form};
@@ -103,15 +103,14 @@ impl Pointwise for I20 {
             + \tilde g(\tilde n^1 - n^1,n^2) + \tilde g(n^1,\tilde n^2 - n^2) + \tilde g(n^1,n^2) - g(n^1,n^2)",
         sides: "Left: the library's dihedral angles, from products of covectors. Right: products of unit normals.",
     };
-    // Four normals in two metrics: no position is known where all of their lengths are rational.
-    const PROVED: &'static [usize] = &[];
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
-        let (base, other) = (i.still0(), Connection::new(&i.other));
+        let (base, other) = (i.still0(), i.other0());
         let (g, g_t) = (base.g, other.g);
         let nu = [i.nu().map(|x| x.value), i.nu_bar];
-        let n = list(2, |a| i.normal(&base, &nu[a]).n);
-        let d = list(2, |a| i.normal(&other, &nu[a]).n - n[a]);
+        // −cos θ̃ and the products by g̃ cancel for any vectors n¹, n².
+        let n = i.or_any([0, 1].map(|a| i.normal(&base, &nu[a]).n));
+        let d = [0, 1].map(|a| i.normal(&other, &nu[a]).n - n[a]);
         let cos = |at| normalised(&i.corner(at, [&nu[0], &nu[1]])).1;
         vec![
             Equation::new("cos θ − cos θ̃")

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod dihedral;
 mod second_form;
+mod sectional;
 mod surface;
 mod traces;
 
@@ -18,6 +19,7 @@ pub(super) fn at_a_point<const N: usize>(all: &mut Catalogue) {
     point::add::<second_form::D04, N>(all);
     point::add::<second_form::D07, N>(all);
     point::add::<second_form::D08, N>(all);
+    point::add::<sectional::D15, N>(all);
     point::add::<surface::D05, N>(all);
     point::add::<surface::D06, N>(all);
     point::add::<surface::T02, N>(all);

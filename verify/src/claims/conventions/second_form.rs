@@ -156,11 +156,9 @@ impl Pointwise for D08 {
         sides: "Left: II of either side with its own outward normal. Right: the difference of the two forms with \
             respect to one fixed normal.",
     };
-    // With N = 5 there are too many points for a second metric.
-    const PROVED: &'static [usize] = &[2, 3, 4];
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
-        let (plus, minus) = (i.still0(), Connection::new(&i.other));
+        let (plus, minus) = (i.still0(), i.other0());
         let (nu, opposite) = (i.nu(), i.nu().map(|x| -x));
         let form = |c: &Connection<S::Base, N>, nu| Face::new(&i.formulas, c, nu).second_form;
         let (here, there) = (form(&plus, &nu), form(&minus, &opposite));

@@ -21,7 +21,7 @@ struct Pair<B: Ground, const N: usize> {
 impl<B: Ground, const N: usize> Pair<B, N> {
     fn new<S: Timed<Base = B>>(i: &Instance<S, N>) -> Self {
         let nu = i.nu().map(|x| x.value);
-        let (one, two) = (i.still0(), Connection::new(&i.other));
+        let (one, two) = (i.still0(), i.other0());
         let square = |c: &Connection<B, N>| contract(&nu, &apply(&c.inverse, &nu));
         Self {
             normals: [i.normal(&one, &nu), i.normal(&two, &nu)],
@@ -82,8 +82,6 @@ impl Pointwise for I02 {
             + \frac{1}{\sqrt b}(g_1^{-1} - g_2^{-1})\nu,\qquad g_1^{-1} - g_2^{-1} = g_1^{-1}(g_2 - g_1)g_2^{-1}",
         sides: "Left: the library's normals and inverses. Right: products of matrices.",
     };
-    // With N = 5 there are too many points for a second metric.
-    const PROVED: &'static [usize] = &[2, 3, 4];
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let pair = Pair::new(i);

@@ -136,7 +136,7 @@ impl Pointwise for I12 {
     };
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
-        let (one, two) = (i.still0(), Connection::new(&i.other));
+        let (one, two) = (i.still0(), i.other0());
         let pair = |c: &Connection<S::Base, N>, sign: i64| -> Mat<S::Base, N> {
             symmetric(|a, b| {
                 let mut sum = S::Base::zero();

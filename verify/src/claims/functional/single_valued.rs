@@ -70,14 +70,11 @@ impl Pointwise for D13 {
         sides: "Left and right: two metrics and two σ that agree on vectors tangent to F and nowhere else; the trace \
             over F with the tangential part of g⁻¹.",
     };
-    // Four roots of two unrelated metrics: no position is known where all of them are rational.
-    const PROVED: &'static [usize] = &[];
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         let nu = i.nu().map(|x| x.value);
         let (g, sigma) = (i.still0().g, i.sigma0());
-        // Small enough to leave g positive definite: |ν|, |β| ≤ √N, and g ≥ ½ δ.
-        let small = S::Base::ratio(1, 8 * N as i64);
+        let small = Instance::<S, N>::tear();
         let beta = i.alpha.map(|x| x.value);
         let (g_m, sigma_m) = (
             add(&g, small, &nu, &beta),
@@ -85,9 +82,9 @@ impl Pointwise for D13 {
         );
         let plus = Side::new(&i.formulas, &g, &sigma, &nu);
         let minus = Side::new(&i.formulas, &g_m, &sigma_m, &-nu);
-        // Continuity broken: a part that tangent vectors see.
+        // Continuity broken: tangent vectors are twice as long, and σ has a part that they see.
         let broken_sigma = add(&sigma_m, S::Base::one(), &beta, &beta);
-        let broken_g = add(&g_m, S::Base::one(), &beta, &beta);
+        let broken_g = g_m.map(|x| x * S::Base::from_int(4));
         let broken = Side::new(&i.formulas, &broken_g, &broken_sigma, &-nu);
         across(&[plus, minus, broken], [&nu, &i.nu_bar], N == 2)
     }
@@ -248,7 +245,6 @@ impl Pointwise for M20 {
     const RECORD: Record = <Self as OnMesh>::RECORD;
     const DIMENSIONS: &'static [usize] = &[2, 3, 4];
     const OVER: Over = Over::Integers;
-    const PROVED: &'static [usize] = D13::PROVED;
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
         D13::equations::<S, N>(i)

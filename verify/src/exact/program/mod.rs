@@ -107,10 +107,21 @@ impl Program {
         inputs: &[F],
         undefined: fn(F) -> bool,
     ) -> Option<Vec<F>> {
+        self.run_with(needed, inputs, undefined, |_, value| value)
+    }
+
+    /// The same, where `replace` has the last word on what a step yields.
+    pub fn run_with<F: Algebraic>(
+        &self,
+        needed: &[bool],
+        inputs: &[F],
+        undefined: fn(F) -> bool,
+        replace: impl Fn(usize, F) -> F,
+    ) -> Option<Vec<F>> {
         let mut values: Vec<F> = Vec::with_capacity(self.steps.len());
-        for (step, needed) in self.steps.iter().zip(needed) {
+        for (k, (step, needed)) in self.steps.iter().zip(needed).enumerate() {
             let value = if *needed {
-                step.value(inputs, &values)
+                replace(k, step.value(inputs, &values))
             } else {
                 F::zero()
             };

@@ -4,10 +4,12 @@
 //! there is an identity of its own, which is tested ([`motion`]); which monomials the polynomials can have is found along their
 //! program; and the program is run over rational numbers at points that determine such a polynomial ([`lattice`]).
 
+mod draws;
 mod elsewhere;
 mod goal;
 mod lattice;
 mod motion;
+mod parts;
 mod position;
 mod roots;
 mod trial;
@@ -39,6 +41,8 @@ pub struct Proofs {
     pub forms: usize,
     /// What they are, in words.
     pub describe: fn(usize) -> &'static str,
+    /// Is what is drawn by this name of a second metric?
+    pub second: fn(&str) -> bool,
     /// May an equation that depends on what is drawn by this name be brought to the position?
     pub allows: fn(usize, &str) -> bool,
     /// What each number of an instance in any position is, by name.
@@ -77,6 +81,7 @@ impl Proofs {
                 return false;
             };
             self.refute(at, formulas, &mut result);
+            result.proved.equation = at.parts.label(at.equation, &at.rootless.equation);
             outcome.add(result, (self.describe)(at.form), at.chance);
             true
         });
@@ -109,7 +114,7 @@ impl Proofs {
             return;
         }
         let variables = at.jets.variables;
-        let in_others = |x: &[Recorded]| (self.elsewhere)(at.form, x, formulas);
+        let in_others = |x: &[Recorded]| at.parts.cut(&(self.elsewhere)(at.form, x, formulas));
         let (program, equations) = record(variables.len(), in_others);
         let equation = &equations[at.equation];
         if !elsewhere::refute(&program, equation, variables, &mut result.forgeries) {

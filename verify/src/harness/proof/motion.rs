@@ -2,12 +2,13 @@
 //! of two prime fields.
 
 use super::Proofs;
+use super::draws::draw;
+use super::parts::Parts;
 use crate::exact::{Fp, Fq, Program, Recorded, record};
 use crate::harness::bound::Bound;
 use crate::harness::case::Key;
 use crate::harness::equation::Equation;
 use crate::harness::scalar::{Drawn, Ground};
-use proptest::strategy::{Strategy, ValueTree};
 use regge_curvature::formulas::Formulas;
 use regge_curvature::scalar::Field;
 use std::collections::BTreeSet;
@@ -31,6 +32,17 @@ pub struct Moved {
     pub after: Vec<Equation<Recorded>>,
     /// The change.
     pub moves: Moves<Recorded>,
+}
+
+impl Moved {
+    /// These parts of the equations.
+    fn cut(self, parts: &Parts) -> Self {
+        Self {
+            before: parts.cut(&self.before),
+            after: parts.cut(&self.after),
+            moves: self.moves,
+        }
+    }
 }
 
 /// How the components of all terms of an equation change.
@@ -57,6 +69,7 @@ impl Proofs {
         wanted: &BTreeSet<usize>,
         key: Key<'_>,
         formulas: &Formulas,
+        parts: &Parts,
     ) -> (BTreeSet<usize>, f64) {
         let extra = (self.changes)(form);
         if extra == 0 {
@@ -64,10 +77,11 @@ impl Proofs {
         }
         let mut groups = (self.groups)();
         groups.extend(std::iter::repeat_n("A".to_owned(), extra));
-        let (program, moved) = record(groups.len(), |x| (self.moved)(form, x, formulas));
+        let in_both = |x: &[Recorded]| (self.moved)(form, x, formulas).cut(parts);
+        let (program, moved) = record(groups.len(), in_both);
         let kinds = kinds(&program, groups.len(), &moved, wanted, key);
         let (program, differences) = record(groups.len(), |x| {
-            let moved = (self.moved)(form, x, formulas);
+            let moved = in_both(x);
             let of = |(k, kind): &(usize, Kind)| kind.differences(&moved, *k);
             kinds.iter().map(of).collect::<Vec<_>>()
         });
@@ -89,27 +103,6 @@ impl Proofs {
         }
         (equivariant, chance)
     }
-}
-
-/// Values of the needed steps at the first draw from a number on that has all roots.
-fn draw<B: Drawn>(
-    program: &Program,
-    inputs: usize,
-    results: &[Recorded],
-    key: Key<'_>,
-) -> Option<Vec<B>> {
-    let needed = program.needed(results.iter().copied());
-    let strategy = proptest::collection::vec(B::number(), inputs);
-    let mut runner = key.runner();
-    for _ in 0..=B::REDRAWS {
-        let tree = strategy.new_tree(&mut runner);
-        let numbers = tree.expect("a list of one length is drawn").current();
-        let values = program.run(&needed, &numbers, B::is_poison);
-        if values.is_some() {
-            return values;
-        }
-    }
-    None
 }
 
 /// Does everything vanish at all draws?

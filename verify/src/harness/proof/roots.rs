@@ -36,6 +36,9 @@ pub(super) fn replaced(
     let needed = program.needed(equation.numbers());
     let essential = program.needed(essential(equation));
     let all = program.needed(equation.numbers().chain(bases.iter().copied()));
+    if is_undefined(program, &essential) {
+        return None;
+    }
     let samples: Vec<Vec<Ratio>> = (0..3)
         .map(|s| program.run(&all, &sample(variables, s), |_| false))
         .collect::<Option<_>>()?;
@@ -79,6 +82,14 @@ pub(super) fn replaced(
         compared,
         wrong,
     })
+}
+
+/// Does it depend on what a position leaves undefined, 1/0?
+fn is_undefined(program: &Program, essential: &[bool]) -> bool {
+    let zero = |k: u32| program.steps()[k as usize] == Step::Constant(0, 1);
+    let steps = program.steps().iter().zip(essential);
+    let mut needed = steps.filter(|(_, essential)| **essential);
+    needed.any(|(step, _)| matches!(step, Step::Quotient(_, b) if zero(*b)))
 }
 
 /// What an equation states is about these numbers.

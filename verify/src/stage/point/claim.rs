@@ -1,7 +1,7 @@
 //! Claims that hold at a point: one body for floating point numbers and for the prime field.
 
 use super::instance::Instance;
-use super::reduced::{FORMS, Form, extra, moved, reduced, variables};
+use super::reduced::{FORMS, Form, extra, is_second, moved, reduced, variables};
 use crate::exact::Recorded;
 use crate::harness::{
     Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, Moved, OnNumbers,
@@ -94,6 +94,7 @@ pub fn add<C: Pointwise, const N: usize>(all: &mut Catalogue) {
             let proof = Proofs {
                 forms: FORMS.len(),
                 describe: |form| Form::of(form).describe(),
+                second: is_second,
                 allows: |form, group| Form::of(form).allows(group),
                 groups: groups::<N>,
                 equations: equations::<C, Jet1<Recorded, 1>, N>,

@@ -35,6 +35,10 @@ pub struct Instance<S: Timed, const N: usize> {
     pub seeds: Vec<Vector<Jet1<S, N>, N>>,
     /// Another metric.
     pub other: Mat<Jet1<S::Base, N>, N>,
+    /// The inverse of the other metric, in a position where it is any matrix; else it is computed.
+    pub(super) other_inverse: Option<Mat<S::Base, N>>,
+    /// Two vectors, in a position where they are any; else they are what is made of g.
+    pub(super) any: Option<[Vector<S::Base, N>; 2]>,
     /// More numbers.
     pub spare: [S::Base; 12],
     /// By which formulas the library computes.
@@ -77,6 +81,8 @@ impl<S: Timed, const N: usize> Instance<S, N> {
             nu_rate: Vector::from_fn(|_, _| source.of("ν̇").next()),
             seeds: draw::transversal(source.of("τ"), &phi),
             other: lower(&draw::metric(source.of("g̃"))),
+            other_inverse: None,
+            any: None,
             spare: std::array::from_fn(|_| source.of("x").next()),
             formulas: *formulas,
         }
@@ -104,6 +110,28 @@ impl<S: Timed, const N: usize> Instance<S, N> {
     #[inline(never)]
     pub fn still0(&self) -> Connection<S::Base, N> {
         Connection::new(&lower(&self.g))
+    }
+
+    /// The connection of the other metric. What is made of its inverse is proved for any inverse, where that is a position.
+    #[inline(never)]
+    pub fn other0(&self) -> Connection<S::Base, N> {
+        let mut connection = Connection::new(&self.other);
+        if let Some(inverse) = self.other_inverse {
+            connection.inverse = inverse;
+        }
+        connection
+    }
+
+    /// These vectors, which are made of g alone. Where the other metric is in a position and g is not, they are any two: what
+    /// holds for any vectors holds for these.
+    pub fn or_any(&self, vectors: [Vector<S::Base, N>; 2]) -> [Vector<S::Base, N>; 2] {
+        self.any.unwrap_or(vectors)
+    }
+
+    /// How much of dφ⊗α + α⊗dφ is added to g where two metrics are to agree on vectors tangent to {φ = 0} alone: with |dφ|,
+    /// |α| ≤ √N and g ≥ ½ δ, little enough for a positive definite metric.
+    pub fn tear() -> S::Base {
+        S::Base::ratio(1, 8 * N as i64)
     }
 
     /// The unit normal and ω_F of a hypersurface with this covector.

@@ -2,9 +2,10 @@
 
 use super::fields::Fields;
 use super::integrals::Exactly;
-use crate::exact::{Recorded, Step, degrees, record};
+use super::roots::{Suspect, roots};
+use crate::exact::{Recorded, degrees, record};
 use crate::harness::{
-    Bound, Cases, Catalogue, Check, Equation, Excuses, Ground, Integrals, Kind, Method, Record,
+    Bound, Cases, Catalogue, Check, Equation, Excuses, Ground, Integrals, Key, Kind, Method, Record,
 };
 use regge_curvature::formulas::Formulas;
 
@@ -49,9 +50,8 @@ fn cases(dimension: usize) -> Cases {
 /// Every integral is a combination of densities at points, with weights that do not depend on the fields: its degree in their
 /// coefficients is at most that of the densities. The points' coordinates are inputs of a group of their own.
 ///
-/// The integrals have no roots: the densities are polynomials, or else the rules would not integrate them, and the claims
-/// would fail. A draw must have the roots that are the same at all points of a simplex; elsewhere points are taken that have
-/// them.
+/// How many roots a density contains is counted: none, or else the rules would not integrate it. A draw must have the roots that are the same at all points of a simplex;
+/// elsewhere points are taken that have them.
 fn bound<C: ByParts, const N: usize>(formulas: &Formulas) -> Bound {
     let on = if C::CUT {
         Exactly::on_cut
@@ -66,15 +66,30 @@ fn bound<C: ByParts, const N: usize>(formulas: &Formulas) -> Bound {
     let mut groups = vec![0; count];
     groups.resize(count + N + 1, 1);
     let degree = degrees(&program, &groups, &densities).by_group[0];
-    let needed = program.needed(densities);
     let varies = program.depending(&|k| k >= count);
-    let constant = |k: &usize| needed[*k] && !varies[*k];
-    let roots = (0..needed.len()).filter(constant);
-    let roots = roots.filter(|k| matches!(program.steps()[*k], Step::Root(_)));
+    let key = Key {
+        seed: 0,
+        label: C::RECORD.label,
+        dimension: N,
+        method: Method::Exact.name(),
+        case: 0,
+    };
+    let in_one = |density: &Recorded| {
+        let mut roots = roots(&program, &[*density]);
+        roots.retain(|k| varies[*k]);
+        let suspect = Suspect {
+            program: &program,
+            result: *density,
+            roots,
+            inputs: count + N + 1,
+        };
+        suspect.contained(key)
+    };
+    let in_all = roots(&program, &densities);
     Bound {
         degree,
         by_group: vec![("coefficients".to_owned(), degree)],
-        roots: 0,
-        roots_drawn: roots.count() as u32,
+        roots: densities.iter().map(in_one).max().unwrap_or(0),
+        roots_drawn: in_all.iter().filter(|k| !varies[**k]).count() as u32,
     }
 }

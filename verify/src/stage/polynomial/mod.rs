@@ -6,6 +6,7 @@
 mod claim;
 mod fields;
 mod integrals;
+mod roots;
 
 pub use claim::{ByParts, add};
 pub use integrals::{Exactly, OnFace, add_up, poison, poisoned};

@@ -16,8 +16,14 @@ pub(in crate::stage::point) enum Form {
     Split,
     /// g = δ and g̃ = diag(λ), λ_i > 0.
     Pair,
-    /// g = δ, n = e_N, and g̃ = L Lᵀ with L lower triangular, diagonal but for its last row.
-    PairNormal,
+    /// g = δ, n = e_N, and g̃⁻¹ is any symmetric matrix with q² in its last place, q > 0; g̃ itself is not defined.
+    Inverse,
+    /// g̃ = δ, n = e_N by g̃, and the other face of a hinge as in [`Form::Normal`]; of g there is nothing but two vectors that were
+    /// made of it, which are any.
+    Other,
+    /// As [`Form::Normal`]; α = (0, …, b, b′, c) with c such that g + s(dφ⊗α + α⊗dφ) has the determinant d², d > 0, s as in
+    /// [`Instance::tear`](super::Instance::tear).
+    Torn,
     /// Numbers that are all free: nothing is brought anywhere.
     Place,
     /// The same; the last of them are f_i, f_i′ and f_i″ of some functions, of which f_i alone may be in denominators.
@@ -25,19 +31,26 @@ pub(in crate::stage::point) enum Form {
 }
 
 /// In the order in which they are tried.
-pub(in crate::stage::point) const FORMS: [Form; 9] = [
+pub(in crate::stage::point) const FORMS: [Form; 11] = [
     Form::Normal,
     Form::Hinge,
     Form::Vector,
     Form::Conformal,
     Form::Split,
     Form::Pair,
-    Form::PairNormal,
+    Form::Inverse,
+    Form::Other,
+    Form::Torn,
     Form::Place,
     Form::Functions,
 ];
 
 const SURFACE: [&str; 3] = ["φ", "∂φ", "∂²φ"];
+
+/// Is what is drawn by this name of the second metric?
+pub(in crate::stage::point) fn is_second(group: &str) -> bool {
+    ["g̃", "∂g̃"].contains(&group)
+}
 
 impl Form {
     /// By its number.
@@ -49,14 +62,15 @@ impl Form {
     pub fn allows(self, group: &str) -> bool {
         let surface = SURFACE.contains(&group);
         let frame = ["ν̄", "τ", "∂τ"].contains(&group);
-        let other = ["g̃", "∂g̃"].contains(&group);
+        let (other, seeds) = (is_second(group), ["τ", "∂τ"].contains(&group));
         match self {
-            Self::Normal | Self::Conformal => !other && group != "x",
+            Self::Normal | Self::Conformal | Self::Torn => !other && group != "x",
             Self::Vector | Self::Hinge | Self::Split => {
                 !surface && !frame && !other && group != "x"
             }
             Self::Pair => !surface && !frame && group != "x",
-            Self::PairNormal => !frame && group != "x",
+            Self::Inverse => !frame && group != "x",
+            Self::Other => !seeds && group != "x",
             Self::Place | Self::Functions => group == "x",
         }
     }
@@ -75,7 +89,9 @@ impl Form {
             Self::Hinge => "g = δ but for the hinge's angle",
             Self::Split => "g = δ on both factors",
             Self::Pair => "g = δ, g̃ diagonal",
-            Self::PairNormal => "g = δ, n = e_N, g̃ = LLᵀ",
+            Self::Inverse => "g = δ, n = e_N, any g̃⁻¹",
+            Self::Other => "g̃ = δ, n = e_N",
+            Self::Torn => "g⁺ = δ, n = e_N, det g⁻ = d²",
             Self::Place => "any point",
             Self::Functions => "any f, f′, f″",
         }

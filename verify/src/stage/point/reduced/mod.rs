@@ -7,7 +7,7 @@ mod form;
 mod moved;
 mod slots;
 
-pub(super) use form::{FORMS, Form};
+pub(super) use form::{FORMS, Form, is_second};
 pub(super) use moved::{extra, moved};
 
 use super::draw::vary2;
@@ -16,7 +16,7 @@ use crate::harness::{Ground, Timed, Variable, list};
 use num_dual::Dual64;
 use regge_curvature::formulas::{Formulas, PAPER};
 use regge_curvature::jet::{Jet1, Jet2, lower};
-use regge_curvature::linalg::{Mat, Vector, identity, vector, zeros};
+use regge_curvature::linalg::{Mat, Vector, identity, matrix, symmetric, vector, zeros};
 use regge_curvature::scalar::Field;
 use slots::Slots;
 
@@ -59,10 +59,22 @@ fn arrange<S: Timed, const N: usize>(
         _ => vec![S::Base::zero(); 12],
     };
     let (one, nu_bar) = angle(form, slots, &mut roots);
-    let g: Mat<Jet2<S::Base, N>, N> = slots.tensor(Some(&one), "g");
+    let undefined = || -> Mat<S::Base, N> { matrix(|_, _| S::Base::from_real(f64::NAN)) };
+    let g = if form == Form::Other {
+        undefined().map(Jet2::constant)
+    } else {
+        slots.tensor(Some(&one), "g")
+    };
     let sigma: Mat<Jet2<S::Base, N>, N> = slots.tensor(None, "σ");
-    let other = other_metric(form, slots, &mut roots);
+    let other_inverse = (form == Form::Inverse).then(|| other_inverse(slots, &mut roots));
+    let other = match form {
+        Form::Inverse => undefined(),
+        Form::Pair => diagonal(slots),
+        _ => identity(),
+    };
     let other = lower(&slots.tensor(Some(&other), "g̃"));
+    let torn =
+        (form == Form::Torn).then(|| torn::<_, N>(slots, &mut roots, Instance::<S, N>::tear()));
     let x = (form == Form::Vector).then(|| {
         roots.push(slots.parameter("p".to_owned()));
         unit(N - 1, roots[0])
@@ -84,13 +96,15 @@ fn arrange<S: Timed, const N: usize>(
         phi,
         fields: [slots.field(x.as_ref(), "X", ""), slots.field(None, "Y", "")],
         v: slots.jet2(v, "v", ""),
-        alpha: Vector::from_fn(|k, _| slots.jet1(None, "α", &format!("{}", k + 1))),
+        alpha: Vector::from_fn(|k, _| slots.jet1(torn.map(|a| a[k]), "α", &format!("{}", k + 1))),
         nu_bar,
         nu_rate: Vector::from_fn(|k, _| slots.jet1::<0>(None, "ν̇", &format!("{}", k + 1)).value),
         seeds: list(N - 1, |k| {
             slots.field(Some(&unit(k, S::Base::one())), "τ", &format!("{}_", k + 1))
         }),
         other,
+        other_inverse,
+        any: (form == Form::Other).then(|| ["n¹", "n²"].map(|name| slots.vector(name))),
         spare: std::array::from_fn(|k| place[k]),
         formulas: *formulas,
     };
@@ -104,7 +118,7 @@ fn angle<B: Ground, const N: usize>(
     roots: &mut Vec<B>,
 ) -> (Mat<B, N>, Vector<B, N>) {
     let mut g = identity::<B, N>();
-    if !matches!(form, Form::Normal | Form::Hinge) {
+    if !matches!(form, Form::Normal | Form::Hinge | Form::Other | Form::Torn) {
         return (g, unit(N - 2, B::one()));
     }
     let u = slots.parameter("u".to_owned());
@@ -117,35 +131,42 @@ fn angle<B: Ground, const N: usize>(
     (g, unit::<B, N>(N - 2, sin) + unit::<B, N>(N - 1, cos))
 }
 
-/// g̃, where there is one.
-fn other_metric<B: Ground, const N: usize>(
-    form: Form,
+/// A metric with positive numbers on its diagonal.
+fn diagonal<B: Ground, const N: usize>(slots: &mut Slots<'_, B>) -> Mat<B, N> {
+    let mut metric = zeros();
+    for k in 0..N {
+        metric[(k, k)] = slots.parameter(format!("l{}", k + 1));
+    }
+    metric
+}
+
+/// g̃⁻¹, by which e_N has the length q.
+fn other_inverse<B: Ground, const N: usize>(
     slots: &mut Slots<'_, B>,
     roots: &mut Vec<B>,
 ) -> Mat<B, N> {
-    let mut l = identity::<B, N>();
-    if !matches!(form, Form::Pair | Form::PairNormal) {
-        return l;
+    let q = slots.parameter("q".to_owned());
+    roots.push(q);
+    symmetric(|i, j| match (i + 1, j + 1) {
+        (i, j) if i == N && j == N => q * q,
+        (i, j) => slots.jet("g̃⁻¹", format!("g̃^{i}{j}")),
+    })
+}
+
+/// α = (0, …, b, b′, c) with 1 + 2sc − s²(b² + b′²) = d².
+fn torn<B: Ground, const N: usize>(
+    slots: &mut Slots<'_, B>,
+    roots: &mut Vec<B>,
+    s: B,
+) -> Vector<B, N> {
+    let d = slots.parameter("d".to_owned());
+    roots.push(d);
+    let mut alpha = Vector::from_element(B::zero());
+    let mut square = d * d - B::one();
+    for k in N.saturating_sub(3)..N - 1 {
+        alpha[k] = slots.parameter(format!("b{}", k + 1));
+        square += s * s * alpha[k] * alpha[k];
     }
-    for k in 0..N {
-        l[(k, k)] = slots.parameter(format!("l{}", k + 1));
-    }
-    if form == Form::Pair {
-        return l;
-    }
-    for k in 0..N {
-        roots.push(l[(k, k)]);
-    }
-    for k in 0..N - 1 {
-        l[(N - 1, k)] = slots.parameter(format!("b{}", k + 1));
-    }
-    let mut square = zeros();
-    for i in 0..N {
-        for j in 0..N {
-            for k in 0..N {
-                square[(i, j)] += l[(i, k)] * l[(j, k)];
-            }
-        }
-    }
-    square
+    alpha[N - 1] = square / (s + s);
+    alpha
 }

@@ -5,7 +5,7 @@ use crate::harness::{Ground, Moves, Timed, list};
 use crate::stage::point::draw::vary2;
 use crate::stage::point::instance::Instance;
 use crate::stage::reference::leading_minor;
-use regge_curvature::jet::{Jet1, Jet2};
+use regge_curvature::jet::{Jet1, Jet2, lower};
 use regge_curvature::linalg::{Mat, Vector, apply, inverse_and_det, matrix, symmetric, vector};
 use regge_curvature::scalar::Field;
 
@@ -35,7 +35,13 @@ pub(in crate::stage::point) fn moved<S: Timed, const N: usize>(
         scales
     };
     let change = Change { a, inverse };
-    let instance = change.of(i, face, rest);
+    let mut instance = change.of(i, face, rest);
+    if form == Form::Torn {
+        // What is added to g and σ, multiples of dφ ⊗ α and dφ ⊗ ν̇, stays the same.
+        let less = S::Base::one() / face[0];
+        instance.alpha = instance.alpha.map(|x| x * Jet1::constant(less));
+        instance.nu_rate = instance.nu_rate.map(|x| x * less * less);
+    }
     if form == Form::Hinge {
         scales = [a[(N - 2, N - 2)], a[(N - 1, N - 1)]];
     }
@@ -114,6 +120,13 @@ impl<B: Ground, const N: usize> Change<B, N> {
         matrix(|m, n| sum::<_, N>(|i| self.a[(i, m)] * right[(i, n)]))
     }
 
+    /// A⁻¹ T A⁻ᵀ.
+    fn sandwich_up(&self, t: &Mat<B, N>) -> Mat<B, N> {
+        let (up, turned) = (&self.inverse, self.inverse.transpose());
+        let right: Mat<B, N> = matrix(|i, n| sum::<_, N>(|j| t[(i, j)] * turned[(j, n)]));
+        matrix(|m, n| sum::<_, N>(|i| up[(m, i)] * right[(i, n)]))
+    }
+
     fn tensor(&self, t: &Mat<Jet2<B, N>, N>) -> Mat<Jet2<B, N>, N> {
         let turned: Mat<Jet2<B, N>, N> = symmetric(|i, j| self.jet2(&t[(i, j)]));
         let a = self.a.map(Jet2::constant);
@@ -167,7 +180,9 @@ impl<B: Ground, const N: usize> Change<B, N> {
             nu_bar: self.covector(&i.nu_bar).map(|x| x * other_face),
             nu_rate: self.covector(&i.nu_rate).map(|x| x * face),
             seeds: mixed(i, frame).iter().map(of_field).collect(),
-            other: regge_curvature::jet::lower(&self.tensor(&other)),
+            other: lower(&self.tensor(&other)),
+            other_inverse: i.other_inverse.map(|m| self.sandwich_up(&m)),
+            any: i.any.map(|v| v.map(|x| apply(&self.inverse, &x))),
             spare: i.spare,
             formulas: i.formulas,
         }

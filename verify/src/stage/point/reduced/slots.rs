@@ -31,6 +31,11 @@ impl<'a, B: Ground> Slots<'a, B> {
         self.take(group.to_owned(), name)
     }
 
+    /// Any vector, a group of its own.
+    pub fn vector<const N: usize>(&mut self, name: &str) -> Vector<B, N> {
+        Vector::from_fn(|k, _| self.jet(name, format!("{name}_{}", k + 1)))
+    }
+
     fn take(&mut self, group: String, name: String) -> B {
         let place = self.variables.len();
         self.variables.push(Variable { group, name });
