@@ -23,7 +23,7 @@ from Coq's library and adds no axiom to those of its real numbers). Next to each
 reason than that its two sides differ.
 
 Not here: what is the same program on both sides; claims that are not polynomials in normal position; and quotients that would
-take `field` minutes (N01, O03, and O02 for N = 3). Coq does not see that an equation may be brought to its normal position (step 4 of
+take `field` minutes (N01, N02, O03, and D13, M20 and O02 for N = 3). Coq does not see that an equation may be brought to its normal position (step 4 of
 the [index](index.md)), nor the compiler that recorded the program.
 
 PAGE

@@ -5,7 +5,7 @@ use super::draws::draw;
 use crate::exact::{Fp, Program, Recorded, record};
 use crate::harness::case::Key;
 use crate::harness::equation::{Equation, Term};
-use regge_curvature::formulas::Formulas;
+use regge_curvature::formulas::PAPER;
 use regge_curvature::scalar::Field;
 
 /// What is to be proved, in the order of the equations: each of them, or two parts of it that vanish one by one.
@@ -22,10 +22,10 @@ struct Part {
 }
 
 impl Parts {
-    /// Of all equations of a claim.
-    pub fn of(proofs: &Proofs, key: Key<'_>, formulas: &Formulas) -> Self {
+    /// Of all equations of a claim. That their parts vanish is so by the paper's formulas, whichever are to be proved.
+    pub fn of(proofs: &Proofs, key: Key<'_>) -> Self {
         let groups = (proofs.groups)();
-        let (program, equations) = record(groups.len(), |x| (proofs.equations)(x, formulas));
+        let (program, equations) = record(groups.len(), |x| (proofs.equations)(x, &PAPER));
         let second = program.depending(&|k| (proofs.second)(&groups[k]));
         let mut parts = Vec::new();
         for (equation, whole) in equations.iter().enumerate() {
@@ -34,7 +34,7 @@ impl Parts {
                 let others = terms.iter().map(|x| !x).collect();
                 [of(Some(others)), of(Some(terms))]
             });
-            match halves.filter(|halves| vanish(halves, proofs, key, formulas)) {
+            match halves.filter(|halves| vanish(halves, proofs, key)) {
                 Some(halves) => parts.extend(halves),
                 None => parts.push(Part {
                     equation,
@@ -97,10 +97,10 @@ fn halves(equation: &Equation<Recorded>, second: &[bool]) -> Option<Vec<bool>> {
 }
 
 /// Does either half vanish at a draw?
-fn vanish(halves: &[Part; 2], proofs: &Proofs, key: Key<'_>, formulas: &Formulas) -> bool {
+fn vanish(halves: &[Part; 2], proofs: &Proofs, key: Key<'_>) -> bool {
     let count = (proofs.groups)().len();
     let recorded = |x: &[Recorded]| {
-        let equations = (proofs.equations)(x, formulas);
+        let equations = (proofs.equations)(x, &PAPER);
         let differences = halves.iter().map(|h| h.cut(&equations).difference(&[]));
         differences.flatten().collect::<Vec<_>>()
     };

@@ -42,7 +42,7 @@ impl Proofs {
         formulas: &Formulas,
         settle: &mut dyn FnMut(&InPosition<'_>) -> bool,
     ) -> BTreeSet<usize> {
-        let parts = Parts::of(self, key, formulas);
+        let parts = Parts::of(self, key);
         let depends = self.dependences(&parts, formulas);
         let mut open: BTreeSet<usize> = (0..depends.len()).collect();
         for form in 0..self.forms {
