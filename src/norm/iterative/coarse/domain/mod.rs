@@ -26,16 +26,11 @@ const FEW: usize = 600;
 /// single precision leaves eigenvalues of either sign, up to 1e-5. The least that matter are above 1e-3 on so few splines.
 const SHIFT: f64 = 1e-4;
 /// The edge of the lattice's boxes in units of h/p. In space the forms take four times the memory with 1, for a tenth fewer steps
-/// (26 for 32 on a ball of 12 934 tetrahedra, p = 2), and with 2 the steps grow with the mesh. In the plane they take next to
-/// nothing.
-fn coarseness(n: usize) -> f64 {
-    match n {
-        2 => 1.0,
-        _ => 1.5,
-    }
-}
+/// (26 for 32 on a ball of 12 934 tetrahedra, p = 2), and with 2 the steps grow with the mesh. In the plane 1 takes as many
+/// steps as 1.5, and more time.
+const COARSENESS: f64 = 1.5;
 
-/// The lattice: p boxes of it, or fewer by [`coarseness`], to the edge h of a cube of N! mean cells.
+/// The lattice: p boxes of it, or fewer by [`COARSENESS`], to the edge h of a cube of N! mean cells.
 ///
 /// # Errors
 /// If the mesh has no points.
@@ -50,7 +45,7 @@ pub(super) fn background<const N: usize>(hhj: &Hhj<N>) -> Result<Grid<N>, Error>
     // The reference simplex has 1/N! of the volume of its cube.
     let volume: f64 = hhj.shapes().iter().map(|shape| shape.volume).sum();
     let mean = (volume / hhj.shapes().len() as f64).powf(1.0 / N as f64);
-    let density = hhj.space().degree().max(2) as f64 / (coarseness(N) * mean);
+    let density = hhj.space().degree().max(2) as f64 / (COARSENESS * mean);
     let boxes = (upper - lower).map(|extent| (extent * density).ceil().max(1.0));
     // The domain is in the middle.
     let lower = (lower + upper - boxes / density) * 0.5;
@@ -184,7 +179,7 @@ impl<const N: usize> Dense<N> {
 pub(super) fn memory(size: &Size, boundary: usize) -> f64 {
     let (n, p) = (size.dimension() as i32, size.degree().max(2) as f64);
     let simplices = |n: i32| (1..=n).map(f64::from).product::<f64>();
-    let per_edge = p / coarseness(size.dimension());
+    let per_edge = p / COARSENESS;
     // The lattice is that of a box around Ω, which may be twice as large.
     let splines = 2.0 * size.cells() as f64 * per_edge.powi(n) / simplices(n);
     let on_boundary = boundary as f64 * per_edge.powi(n - 1) / simplices(n - 1);
