@@ -3,9 +3,10 @@
 //! C B − A is positive definite if and only if its Cholesky factorisation exists. So both ends of the bracket that
 //! bisection finds are certified up to rounding: by a factorisation that succeeds, and by one that fails.
 
-use faer::Side;
+use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
+use faer::{Mat, Side};
 use nalgebra::DMatrix;
 use regge_curvature::Error;
 
@@ -62,6 +63,12 @@ impl Form {
         self.entries.iter().map(of).sum()
     }
 
+    /// Adds a form in the unknowns from `start` on.
+    pub fn add_shifted(&mut self, start: usize, other: &Self) {
+        let moved = |&(c, r, x): &(u32, u32, f64)| (c + start as u32, r + start as u32, x);
+        self.entries.extend(other.entries.iter().map(moved));
+    }
+
     /// Adds a multiple of another form.
     pub fn add_form(&mut self, factor: f64, other: &Self) {
         let scaled = other.entries.iter().map(|&(c, r, x)| (c, r, factor * x));
@@ -110,11 +117,15 @@ impl Pencil {
         })
     }
 
-    /// Is C B − A positive definite?
-    fn is_positive(&self, c: f64) -> bool {
+    /// The factor of C B − A, if it is positive definite.
+    fn factor(&self, c: f64) -> Option<Llt<usize, f64>> {
         let values: Vec<f64> = self.values.iter().map(|[a, b]| c * b - a).collect();
         let matrix = SparseColMatRef::new(self.pattern.as_ref(), &values);
-        Llt::try_new_with_symbolic(self.symbolic.clone(), matrix, Side::Lower).is_ok()
+        Llt::try_new_with_symbolic(self.symbolic.clone(), matrix, Side::Lower).ok()
+    }
+
+    fn is_positive(&self, c: f64) -> bool {
+        self.factor(c).is_some()
     }
 }
 
@@ -160,6 +171,22 @@ pub fn is_certified(a: &Form, b: &Form, c: f64) -> Result<bool, Error> {
     Ok(Pencil::new(a, b)?.is_positive(c + 1e-9))
 }
 
+/// The greatest |f(v)|/B(v, v)^{1/2}: the norm of a functional in the dual of the space that B is a norm of.
+///
+/// # Errors
+/// If B is not positive definite.
+pub fn dual_norm(b: &Form, f: &[f64]) -> Result<f64, Error> {
+    let factor = Pencil::new(&Form::zero(b.size), b)?.factor(1.0);
+    let factor = factor.ok_or_else(|| Error::Solver("a form is not definite".into()))?;
+    let solution = factor.solve(Mat::from_fn(f.len(), 1, |i, _| f[i]));
+    let square: f64 = f
+        .iter()
+        .enumerate()
+        .map(|(i, f)| f * solution[(i, 0)])
+        .sum();
+    Ok(square.sqrt())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -178,6 +205,16 @@ mod tests {
         let c = best_constant(&a, &b).unwrap();
         assert!((0.5..0.5006).contains(&c), "{c}");
         assert!(is_certified(&a, &b, 0.5).unwrap() && !is_certified(&a, &b, 0.499).unwrap());
+    }
+
+    /// x + 2y against x² + 4y²: √2 at (1, ½).
+    #[test]
+    fn the_norm_of_a_small_functional() {
+        let mut b = Form::zero(2);
+        b.add(&[0, 1], &dmatrix![1.0, 0.0; 0.0, 4.0]);
+        let norm = dual_norm(&b, &[1.0, 2.0]).unwrap();
+        assert!((norm - 2.0_f64.sqrt()).abs() < 1e-14, "{norm}");
+        assert!(dual_norm(&Form::zero(2), &[1.0, 2.0]).is_err());
     }
 
     #[test]

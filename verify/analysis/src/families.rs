@@ -1,12 +1,12 @@
-//! Floor 2. The meshes and metrics on which bounds are measured.
+//! Floor 2. The meshes and Regge metrics on which bounds are measured.
 
+use crate::delaunay::Delaunay;
 use crate::pieces::Pieces;
 use regge_curvature::Error;
 use regge_curvature::interpolate::Interpolant;
-use regge_curvature::linalg::{Mat, Vector, symmetric, vector};
+use regge_curvature::linalg::{Vector, vector};
 use regge_curvature::mesh::{Mesh, SplitMix64};
 use regge_curvature::metrics::{Metric, Smooth, SmoothTensor};
-use regge_curvature::scalar::Real;
 use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 
 /// The patterns of vertices and coefficients repeat after so many cubes: the same few shapes of cells at every level, so that a
@@ -92,39 +92,6 @@ pub fn torus<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
     Mesh::with_cell_charts(torus.count(0), &cells, &corners)
 }
 
-/// A metric on ℝ^N/2ℤ^N.
-#[derive(Clone, Copy, Debug)]
-pub struct Waves;
-
-impl<const N: usize> SmoothTensor<N> for Waves {
-    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
-        let wave = |size: f64, y: S, phase: f64| {
-            S::from_f64(size) * (S::from_f64(std::f64::consts::PI) * y + S::from_f64(phase)).sin()
-        };
-        symmetric(|i, j| match i == j {
-            true => S::one() + wave(0.15, x[i], 0.6 * i as f64),
-            false => wave(0.06, x[i] + x[j], 0.3 * (i + j) as f64),
-        })
-    }
-}
-
-/// A metric on (−1, 1)^N that is flat near the boundary, to so high an order that its curvature vanishes there.
-#[derive(Clone, Copy, Debug)]
-pub struct Dome;
-
-impl<const N: usize> SmoothTensor<N> for Dome {
-    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
-        let bump = x.iter().fold(S::one(), |product, x| {
-            let factor = S::one() - *x * *x;
-            product * factor * factor * factor * factor
-        });
-        symmetric(|i, j| match i == j {
-            true => S::one() + bump * (S::from_f64(0.4) + S::from_f64(0.2) * x[(i + 1) % N]),
-            false => bump * (S::from_f64(0.15) + S::from_f64(0.1) * x[i]),
-        })
-    }
-}
-
 /// Every cell cut at its barycentre, as Alfeld does: hinges of valence N + 1, and cells that are flatter.
 ///
 /// # Errors
@@ -150,6 +117,36 @@ pub fn alfeld<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> 
     Mesh::new(points, &cells)
 }
 
+/// Delaunay's triangulation of the vertices and the midpoints of cubes, both moved in a random periodic pattern by up to a tenth of a cube's
+/// edge, those on the boundary along it: no two vertices see the same, and hinges have valences of their own.
+///
+/// # Errors
+/// If rounding leaves a boundary that is not one of a manifold: for N = 3 and many cubes, where four points of it are nearly on a circle.
+pub fn delaunay<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
+    let mut all = Delaunay::new(&Mesh::<N>::cube(1)?)?;
+    let edge = 2.0 / side as f64;
+    let by = |at: [usize; N], i: usize, kind: usize| {
+        let key = at.map(|i| i % PERIOD).into_iter().chain([i, kind]);
+        0.1 * edge * pattern(seed, key)
+    };
+    for number in 0..(side + 1).pow(N as u32) {
+        let at = place::<N>(number, side + 1);
+        let on = |i: usize| at[i] == 0 || at[i] == side;
+        let corner =
+            vector(|i| -1.0 + edge * at[i] as f64 + if on(i) { 0.0 } else { by(at, i, 0) });
+        // The corners of the square are there from the beginning.
+        if !(0..N).all(on) {
+            all.insert(corner);
+        }
+        if at.iter().all(|i| *i < side) {
+            all.insert(vector(|i| {
+                -1.0 + edge * (at[i] as f64 + 0.5) + by(at, i, 1)
+            }));
+        }
+    }
+    all.mesh()
+}
+
 /// Graded towards the centre: cubes' surfaces go to cubes' surfaces, those at distance ρ to ρ², so that cells are ever smaller there
 /// and keep a shape.
 ///
@@ -160,26 +157,6 @@ pub fn graded<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> 
     let points = even.points().ok_or(Error::NoCoordinates("a mesh"))?;
     let inward = |p: &Vector<f64, N>| *p * p.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
     moved(&even, points.iter().map(inward).collect())
-}
-
-/// δ times 1 + |x|^α/4 with a half-integer α, and what makes it no conformal metric: not smooth at 0.
-#[derive(Clone, Copy, Debug)]
-pub struct Pointed {
-    /// α = k + 1/2.
-    pub k: usize,
-}
-
-impl<const N: usize> SmoothTensor<N> for Pointed {
-    fn at<S: Real>(&self, x: &[S; N]) -> Mat<S, N> {
-        // Differentiable at 0, where nothing but an upper bound is looked at.
-        let tiny = S::from_f64(1e-24);
-        let radius = x.iter().fold(tiny, |sum, x| sum + *x * *x).sqrt();
-        let power = (0..self.k).fold(radius.sqrt(), |power, _| power * radius);
-        symmetric(|i, j| match i == j {
-            true => S::one() + power * S::from_f64(0.25 + 0.1 * i as f64),
-            false => power * S::from_f64(0.1),
-        })
-    }
 }
 
 /// The cells of a mesh with other points.

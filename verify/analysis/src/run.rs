@@ -1,4 +1,4 @@
-//! Floor 5. Runs the claims, or some of them.
+//! Floor 6. Runs the claims, or some of them.
 
 use crate::claim::{Claim, Effort};
 use crate::claims::ALL;

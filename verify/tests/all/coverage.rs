@@ -1,7 +1,7 @@
 //! Every claim is checked enough, and the committed pages are those of the catalogue.
 
 use regge_verify::claims::{catalogue, records};
-use regge_verify::harness::{Budget, Check, ENOUGH, Excuses, Kind, Method};
+use regge_verify::harness::{Budget, Check, ENOUGH, Excuses, Kind, Method, Shape};
 use regge_verify::paper::statements;
 use regge_verify::report::{CHAIN, coverage};
 use serde_json::Value;
@@ -152,4 +152,16 @@ fn the_committed_pages_are_those_of_the_catalogue() {
         assert!(page.contains(record.sides), "{}", record.label);
         assert!(html.contains(&format!("id=\"{}\"", record.label)));
     }
+}
+
+/// Delaunay's mesh has interior hinges of other valences than Alfeld's, which are three, and cells that are not flat.
+#[test]
+fn hinges_have_other_valences_than_three() {
+    let mesh = Shape::Delaunay(1).mesh::<3>();
+    let valences: BTreeSet<usize> = (mesh.interior_hinges())
+        .map(|hinge| mesh.star(1, hinge).count())
+        .collect();
+    assert!(valences.len() > 1 && !valences.contains(&3), "{valences:?}");
+    let shape = regge_analysis::pieces::shape_regularity(&mesh);
+    assert!(shape < 30.0, "h/ρ = {shape}");
 }

@@ -2,11 +2,12 @@
 
 use crate::claim::{Claim, Effort};
 use crate::families::torus;
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
 use crate::measures::curvature_at;
 use crate::mollified::{Quadrants, integral};
 use crate::pieces::stretch;
 use crate::represent::coefficients;
+use crate::rule::Rule;
 use crate::series::Series;
 use num_dual::Dual64;
 use regge_curvature::Error;

@@ -2,8 +2,9 @@
 
 use crate::claim::{Claim, Effort};
 use crate::families::{mesh, smooth};
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
 use crate::measures::{Body, curvature_at};
+use crate::rule::Rule;
 use crate::series::Series;
 use regge_curvature::Error;
 use regge_curvature::functional::angle_defects;

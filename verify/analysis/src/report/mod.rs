@@ -1,4 +1,4 @@
-//! Floor 4. What was measured: data, a table, pages.
+//! Floor 5. What was measured: data, a table, pages.
 
 mod chart;
 mod label;

@@ -8,13 +8,29 @@ use crate::stage::mesh::{
 
 /// The identities hold at every point: any rule will do.
 fn pointwise(dimension: usize, quick: bool) -> Vec<Setting> {
-    use Shape::{Alfeld, Cube, Sphere, Torus};
+    use Shape::{Alfeld, Cube, Delaunay, Sphere, Torus};
     let times = if quick { 1 } else { 4 };
-    match dimension {
+    let mut all = match dimension {
         2 => grid(&[Alfeld, Cube(2), Torus(3)], &[4, 4, 4], times - times / 4),
         3 => grid(&[Alfeld, Sphere], &[3, 3, 3], times),
         _ => grid(&[Alfeld, Sphere], &[2, 2, 2], if quick { 1 } else { 3 }),
+    };
+    if dimension < 4 {
+        // Test functions whose Hessians are not constant.
+        all.extend([3, 4].map(|test| Setting::new(Alfeld, 1, 4).tested_by(test)));
+        // Strongly curved, with large jumps of what may jump.
+        all.extend([1, 2].map(|degree| Setting::new(Sphere, degree, 3).wild(6.0)));
     }
+    if dimension == 3 {
+        // Hinges of other valences than three.
+        let shapes = if quick {
+            vec![Delaunay(1)]
+        } else {
+            vec![Delaunay(1), Cube(2)]
+        };
+        all.extend(grid(&shapes, &[3, 3, 3], 1));
+    }
+    all
 }
 
 /// 2 d/dt Σ̊_F ∫⟦H⟧vω_F.

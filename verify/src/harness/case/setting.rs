@@ -12,6 +12,8 @@ pub enum Shape {
     Alfeld,
     /// (−1, 1)^N with this many cubes a side, inner vertices moved.
     Cube(usize),
+    /// (−1, 1)^N with this many cubes a side, their vertices and midpoints by Delaunay: hinges of other valences.
+    Delaunay(usize),
     /// The flat torus with this many cubes a side.
     Torus(usize),
     /// ∂Δ^{N+1}.
@@ -27,7 +29,7 @@ impl Shape {
             Self::Single => 0,
             Self::Alfeld => 1,
             Self::Sphere => 2,
-            Self::Cube(side) | Self::Torus(side) => 2 + side,
+            Self::Cube(side) | Self::Torus(side) | Self::Delaunay(side) => 2 + side,
             Self::Oracle(number) => number,
         }
     }
@@ -49,6 +51,8 @@ pub struct Setting {
     pub order: usize,
     /// The degree of the test functions.
     pub test: usize,
+    /// How many times as far from flat ones as elsewhere metrics are: where no quadrature is involved, they may be strongly curved.
+    pub noise: f64,
     /// Which of a few: of formulas or interpolants, where a claim has them; else which repetition.
     pub pick: usize,
     /// By which formulas the library computes: the paper's, unless a sceptic breaks one.
@@ -63,9 +67,23 @@ impl Setting {
             degree,
             order,
             test: 2,
+            noise: 1.0,
             pick: 0,
             formulas: PAPER,
         }
+    }
+
+    /// With test functions of this degree.
+    pub const fn tested_by(self, degree: usize) -> Self {
+        Self {
+            test: degree,
+            ..self
+        }
+    }
+
+    /// With metrics that are so many times as far from flat ones.
+    pub const fn wild(self, noise: f64) -> Self {
+        Self { noise, ..self }
     }
 
     /// Rules of the case's order, with its formulas.

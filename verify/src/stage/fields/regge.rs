@@ -45,11 +45,13 @@ pub fn function<C: Copy, const N: usize>(
 /// A random metric. The noise is small: Alfeld's cells in N = 4 are thin, and the sums' integrands are nearer to
 /// polynomials.
 pub fn metric<const N: usize>(space: &ReggeSpace<N>, draw: &mut Draw) -> Regge<f64, N> {
-    near_flat(
-        space,
-        &draw.numbers(space.len()),
-        [0.03, 0.015, 0.005][N - 2],
-    )
+    wild(space, draw, 1.0)
+}
+
+/// A random metric that is so many times as far from a flat one.
+pub fn wild<const N: usize>(space: &ReggeSpace<N>, draw: &mut Draw, times: f64) -> Regge<f64, N> {
+    let noise = times * [0.03, 0.015, 0.005][N - 2];
+    near_flat(space, &draw.numbers(space.len()), noise)
 }
 
 /// A random σ, as large as a metric.

@@ -13,7 +13,9 @@ pub const QUADRATURE: Judgement = Judgement::Quadrature { tolerance: 1e-11 };
 pub fn everywhere(dimension: usize, quick: bool) -> Vec<Setting> {
     use Shape::{Alfeld, Cube, Sphere, Torus};
     let (orders, times) = (orders(dimension), if quick { 1 } else { 4 });
-    match dimension {
+    // Test functions whose Hessians are not constant, once.
+    let cubic = Setting::new(Alfeld, 1, orders[1] + 2).tested_by(3);
+    let mut all = match dimension {
         2 => grid(&[Alfeld, Cube(2), Torus(3), Sphere], &orders, times),
         3 => {
             let mut all = grid(&[Cube(2), Torus(3)], &orders[..1], 1);
@@ -26,7 +28,11 @@ pub fn everywhere(dimension: usize, quick: bool) -> Vec<Setting> {
             all.extend(grid(&[Alfeld, Sphere], &orders, 1));
             all
         }
+    };
+    if dimension < 4 {
+        all.push(cubic);
     }
+    all
 }
 
 /// By degree r: where the rules' errors are below 1e-11 of the sums, on these meshes with fields that are not far

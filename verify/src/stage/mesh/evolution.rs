@@ -9,7 +9,7 @@ use super::claim::{OnMesh, add};
 use super::pair::{Pair, spaces};
 use super::sums::{Three, rates, values};
 use crate::harness::{Catalogue, Draw, Equation, Judgement, Method, Record, Setting, Shape, each};
-use crate::stage::fields::{Regge, combination, metric, moving, test_function};
+use crate::stage::fields::{Regge, combination, moving, test_function, wild};
 use num_dual::Dual64;
 use regge_curvature::functional::{Sums, distributional_curvature};
 use regge_curvature::quadrature::gauss_legendre;
@@ -47,7 +47,7 @@ pub trait Evolution: 'static {
     fn paths(dimension: usize, quick: bool) -> Vec<Setting> {
         let mut paths: Vec<Setting> = Vec::new();
         for at in Self::settings(dimension, quick) {
-            let known = |p: &Setting| (p.shape, p.degree) == (at.shape, at.degree);
+            let known = |p: &Setting| (p.shape, p.degree, p.test) == (at.shape, at.degree, at.test);
             if !paths.iter().any(known) {
                 paths.push(at);
             }
@@ -145,7 +145,7 @@ struct Path<const N: usize> {
 impl<const N: usize> Path<N> {
     fn draw(at: &Setting, draw: &mut Draw, functional: Functional<f64, N>) -> Self {
         let (regge, space) = spaces(at);
-        let ends = [metric(&regge, draw), metric(&regge, draw)];
+        let ends = [(); 2].map(|()| wild(&regge, draw, at.noise));
         let from = values(functional(at, &ends[0], &space));
         let to = values(functional(at, &ends[1], &space));
         Self {

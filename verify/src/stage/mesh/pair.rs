@@ -3,7 +3,7 @@
 use super::sums::{Three, values};
 use super::terms::{FaceTerms, HingeTerms, div_div, outward_of_face};
 use crate::harness::{Draw, Setting};
-use crate::stage::fields::{Regge, Seen, integral, metric, points_of, variation};
+use crate::stage::fields::{Regge, Seen, integral, points_of, variation, wild};
 use regge_curvature::density::{Normal, omega};
 use regge_curvature::formulas::Formulas;
 use regge_curvature::functional::{Rules, a_h, b_h};
@@ -50,7 +50,7 @@ impl<const N: usize> Pair<N> {
     /// A random pair of a case.
     pub fn draw(at: &Setting, draw: &mut Draw) -> Self {
         let (regge, space) = spaces(at);
-        let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
+        let (g, sigma) = (wild(&regge, draw, at.noise), variation(&regge, draw));
         Self::new(at, space, g, sigma)
     }
 

@@ -1,6 +1,7 @@
 //! The meshes of the settings.
 
 use crate::harness::{Shape, list};
+use regge_analysis::families::delaunay;
 use regge_curvature::mesh::Mesh;
 
 impl Shape {
@@ -12,6 +13,7 @@ impl Shape {
             Self::Cube(side) => {
                 Mesh::cube(side).and_then(|m| m.perturbed(0.2 / side as f64, side as u64))
             }
+            Self::Delaunay(side) => delaunay(side, 1),
             Self::Torus(side) => Mesh::torus(side),
             Self::Sphere => Mesh::simplex_boundary(),
             Self::Oracle(number) => Ok(regge_oracle::case(number).mesh()),

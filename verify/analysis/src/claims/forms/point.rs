@@ -1,8 +1,9 @@
 //! Section 4: inequalities at a point, whose constants are sharp.
 
 use crate::claim::{Claim, Effort};
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
 use crate::local::frame_of;
+use crate::rule::Rule;
 use crate::series::Series;
 use nalgebra::DMatrix;
 use regge_curvature::Error;

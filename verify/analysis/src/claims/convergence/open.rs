@@ -1,11 +1,13 @@
 //! Degree 0 in dimension 3 and 4: what the paper leaves open.
 
-use super::rates::{bubble, bubble_norm, dual_norm, rules};
 use super::terms::LABELS;
+use crate::bubble::{bubble, bubble_norm};
 use crate::claim::{Claim, Effort};
+use crate::errors::{dual_norm, rules};
 use crate::families::{mesh, near, smooth};
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
 use crate::measures::curvature_at;
+use crate::rule::Rule;
 use crate::series::Series;
 use regge_curvature::Error;
 use regge_curvature::functional::angle_defects;

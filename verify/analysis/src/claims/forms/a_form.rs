@@ -3,11 +3,13 @@
 use crate::best::{Form, best_constant};
 use crate::claim::{Claim, Effort};
 use crate::distance::Distance;
-use crate::families::{Waves, near, pieces, smooth, torus};
-use crate::finding::{Finding, Rule};
+use crate::families::{near, pieces, smooth, torus};
+use crate::fields::Waves;
+use crate::finding::Finding;
 use crate::local::{functions, tensors};
 use crate::norms::{of_functions, of_tensors};
 use crate::pieces::{Pieces, Unknowns, stretch};
+use crate::rule::Rule;
 use crate::series::Series;
 use nalgebra::DMatrix;
 use regge_curvature::Error;

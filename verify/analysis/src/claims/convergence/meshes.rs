@@ -1,11 +1,13 @@
 //! thm:conv and cor:conv on other meshes, and for a metric that is not smooth.
 
-use super::rates::{dual_norm, error, right_side};
 use crate::claim::{Claim, Effort};
 use crate::distance::Distance;
-use crate::families::{Pointed, alfeld, graded, mesh, smooth, squeezed, torus};
-use crate::finding::{Finding, Rule};
+use crate::errors::{dual_norm, error, right_side};
+use crate::families::{alfeld, graded, mesh, smooth, squeezed, torus};
+use crate::fields::Pointed;
+use crate::finding::Finding;
 use crate::pieces::shape_regularity;
+use crate::rule::Rule;
 use crate::series::Series;
 use regge_curvature::Error;
 use regge_curvature::field::Combination;

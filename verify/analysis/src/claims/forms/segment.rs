@@ -3,9 +3,10 @@
 use crate::claim::{Claim, Effort};
 use crate::distance::Distance;
 use crate::families::{mesh, near, smooth, squeezed};
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
 use crate::local::frame_of;
 use crate::pieces::euclidean_frame;
+use crate::rule::Rule;
 use crate::series::Series;
 use nalgebra::DMatrix;
 use regge_curvature::Error;

@@ -3,8 +3,9 @@
 use crate::claim::{Claim, Effort};
 use crate::distance::Distance;
 use crate::families::{mesh, near, smooth};
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
 use crate::pieces::euclidean_frame;
+use crate::rule::Rule;
 use crate::series::Series;
 use regge_curvature::Error;
 use regge_curvature::density::{Side, outward};

@@ -3,9 +3,10 @@
 use crate::best::{Form, best_constant};
 use crate::claim::{Claim, Effort};
 use crate::families::pieces;
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
 use crate::local::{Gram, function_components, functions};
 use crate::pieces::{Pieces, stretch};
+use crate::rule::Rule;
 use crate::series::Series;
 use regge_curvature::Error;
 use regge_curvature::density::{Corner, Normal, outward};

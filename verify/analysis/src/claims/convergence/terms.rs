@@ -1,9 +1,10 @@
 //! remark:suboptimal: the four terms of the error, and why the hinges' one is better for the canonical interpolant.
 
-use super::rates::{dual_norm, rules};
 use crate::claim::{Claim, Effort};
+use crate::errors::{dual_norm, rules};
 use crate::families::{mesh, smooth};
-use crate::finding::{Finding, Rule};
+use crate::finding::Finding;
+use crate::rule::Rule;
 use crate::series::Series;
 use regge_curvature::Error;
 use regge_curvature::functional::angle_defects;
