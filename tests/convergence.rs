@@ -1,4 +1,5 @@
-//! Orders of convergence of the H⁻² error, for every interpolant, inside bands that a wrong order would miss.
+//! Orders of convergence of the H⁻² error, for every interpolant: fitted to three levels and two seeds, and so near to what the
+//! theorem says that half an order less is seen, and half an order more. Upper bounds and best constants: verify/analysis.
 
 use regge_curvature::functional::{Rules, distributional_curvature, smooth_curvature};
 use regge_curvature::interpolate::Interpolant;
@@ -8,15 +9,12 @@ use regge_curvature::metrics::Smooth;
 use regge_curvature::norm::HMinus2;
 use regge_curvature::spaces::ReggeSpace;
 
-/// h and the H⁻² error of the densitized curvature on the paper's perturbed mesh.
-fn error<const N: usize>(way: Interpolant, degree: usize, level: u32) -> (f64, f64) {
-    let mesh = Mesh::<N>::cube(1 << level).expect("a cube");
-    let mesh = mesh
-        .perturbed_as_in_paper(level, 40 + u64::from(level))
-        .expect("a mesh");
-    let g = Smooth::new(&mesh, Metric::GraphQuartic).expect("coordinates");
-    let space = ReggeSpace::new(&mesh, degree);
-    let g_h = way.apply(&space, &g);
+/// ln h and the logarithm of the H⁻² error of the densitized curvature on a perturbed mesh.
+fn error<const N: usize>(way: Interpolant, degree: usize, side: usize, seed: u64) -> [f64; 2] {
+    let mesh = Mesh::<N>::cube(side).expect("a cube");
+    let mesh = mesh.perturbed(0.25 / side as f64, seed).expect("a mesh");
+    let g = Smooth::new(&mesh, Metric::Trig).expect("coordinates");
+    let g_h = way.apply(&ReggeSpace::new(&mesh, degree), &g);
     let hm2 = HMinus2::new(&mesh, degree + 2).expect("a norm");
     let rules = Rules::new(N, Rules::default_order(degree));
     let g_h = g_h.expect("a metric");
@@ -25,54 +23,78 @@ fn error<const N: usize>(way: Interpolant, degree: usize, level: u32) -> (f64, f
     for (l, s) in load.iter_mut().zip(smooth) {
         *l -= s;
     }
-    (
-        mesh.mesh_size(),
-        hm2.norm(&load, None).expect("a solution").total(),
-    )
+    let error = hm2.norm(&load, None).expect("a solution").total();
+    [mesh.mesh_size().ln(), error.ln()]
 }
 
-/// The order between the two finest levels lies in the band around the expected one.
-fn converges<const N: usize>(way: Interpolant, degree: usize, levels: [u32; 2], band: (f64, f64)) {
-    let [(h, e), (finer_h, finer_e)] = levels.map(|k| error::<N>(way, degree, k));
-    let order = (e / finer_e).ln() / (h / finer_h).ln();
+/// The slope of the line that is nearest to some points.
+fn slope(points: &[[f64; 2]]) -> f64 {
+    let mean = |i: usize| points.iter().map(|p| p[i]).sum::<f64>() / points.len() as f64;
+    let (x, y) = (mean(0), mean(1));
+    let above: f64 = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum();
+    above / points.iter().map(|p| (p[0] - x).powi(2)).sum::<f64>()
+}
+
+/// What is as near as this to the expected order would not be with half an order more or less.
+const NEAR: f64 = 0.25;
+
+/// The order of a metric of degree r: r + 1 by thm:conv, and 2 for these two at r = 0, as everybody sees and nobody has proved
+/// (paper, section 5, for N = 2).
+fn expected(way: Interpolant, degree: usize) -> f64 {
+    let better = [
+        Interpolant::canonical().name(),
+        Interpolant::geodesic().name(),
+    ];
+    match degree {
+        0 if better.contains(&way.name()) => 2.0,
+        r => r as f64 + 1.0,
+    }
+}
+
+/// The order over meshes of so many cubes a side, the mean of two seeds.
+fn converges<const N: usize>(way: Interpolant, degree: usize, sides: [usize; 3]) {
+    let orders = [40, 41].map(|seed| slope(&sides.map(|side| error::<N>(way, degree, side, seed))));
+    let (order, expected) = (0.5 * (orders[0] + orders[1]), expected(way, degree));
     let name = way.name();
-    println!("N = {N}, r = {degree}, {name}: {e:.3e}, {finer_e:.3e}, order {order:.2}");
+    println!("N = {N}, r = {degree}, {name}: {orders:?}");
     assert!(
-        band.0 < order && order < band.1,
-        "N = {N}, r = {degree}, {name}: order {order}"
+        (order - expected).abs() < NEAR,
+        "N = {N}, r = {degree}, {name}: order {order}, not {expected}"
     );
 }
 
-/// thm:conv (i): O(h^{r+1}). For r = 0 the averages come down to 1 slowly (the paper prints 1.57, 1.41, 1.14, 1.03 for
-/// k = 3…6), while the canonical and the geodesic interpolant are one order better than the theorem says for all.
+const AVERAGES: fn() -> [Interpolant; 2] =
+    || [Interpolant::average(), Interpolant::average_hierarchical()];
+
+/// thm:conv (i). For r = 0 the averages come down to 1 slowly (the paper prints 1.57, 1.41, 1.14, 1.03 for k = 3…6), so their
+/// meshes are finer.
 #[test]
 fn plane() {
-    for way in [Interpolant::average(), Interpolant::average_hierarchical()] {
-        converges::<2>(way, 0, [3, 4], (0.8, 1.75));
+    for way in AVERAGES() {
+        converges::<2>(way, 0, [16, 32, 64]);
     }
     for way in [Interpolant::canonical(), Interpolant::geodesic()] {
-        converges::<2>(way, 0, [3, 4], (1.8, 2.2));
+        converges::<2>(way, 0, [8, 16, 32]);
     }
-    for way in [
-        Interpolant::canonical(),
-        Interpolant::average(),
-        Interpolant::average_hierarchical(),
-    ] {
-        converges::<2>(way, 1, [3, 4], (1.65, 2.3));
-        converges::<2>(way, 2, [3, 4], (2.8, 3.5));
+    for way in AVERAGES().into_iter().chain([Interpolant::canonical()]) {
+        converges::<2>(way, 1, [8, 16, 32]);
+        converges::<2>(way, 2, [8, 12, 16]);
     }
 }
 
-/// thm:conv (ii) for r = 1; for r = 0 the order 1 is seen before it stagnates (paper, section 5).
+/// thm:conv (ii) for r = 1 and 2. For r = 0 the averages still have order 1 on meshes as coarse as these, before they stagnate (paper,
+/// section 5).
 #[test]
 fn space() {
     for way in [
-        Interpolant::canonical(),
         Interpolant::average(),
-        Interpolant::average_hierarchical(),
+        Interpolant::canonical(),
+        Interpolant::geodesic(),
     ] {
-        converges::<3>(way, 0, [1, 3], (0.75, 1.7));
-        converges::<3>(way, 1, [1, 3], (1.2, 2.5));
+        converges::<3>(way, 0, [4, 6, 8]);
     }
-    converges::<3>(Interpolant::geodesic(), 0, [1, 3], (0.75, 1.7));
+    for way in [Interpolant::canonical(), Interpolant::average()] {
+        converges::<3>(way, 1, [4, 6, 8]);
+        converges::<3>(way, 2, [4, 5, 6]);
+    }
 }

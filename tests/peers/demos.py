@@ -64,7 +64,10 @@ def say_truth(path):
         _, dimension, _, count, _, corners = gmsh.model.mesh.getElementProperties(kind)
         if dimension > 1:
             nodes = gmsh.model.mesh.getElementsByType(kind)[1].reshape(-1, count)[:, :corners]
-            cells[dimension] |= {tuple(sorted(cell)) for cell in nodes.tolist()}
+            new = {tuple(sorted(cell)) for cell in nodes.tolist()}
+            cells[dimension] |= new
+            if len(new) < len(nodes):
+                print("an element that is there already")
     top = max((d for d in cells if cells[d]), default=0)
     if top == 0:
         print("there is no triangle and no tetrahedron")
