@@ -2,7 +2,9 @@
 
 use regge_curvature::Error;
 use regge_curvature::mesh::{Mesh, SplitMix64};
-use regge_curvature::norm::{BiharmonicSolver, Census, Direct, HMinus2, Hhj, Iterative, Target};
+use regge_curvature::norm::{
+    BiharmonicSolver, Census, Direct, HMinus2, Hhj, Iterative, Step, Target,
+};
 use std::sync::Arc;
 
 use crate::domains;
@@ -187,6 +189,19 @@ fn targets() {
         let result = solver.solve(&load, &mut |step| residuals.push(step.residual));
         (result, residuals)
     };
+    let share = |residual: f64| {
+        let (target, number) = (
+            Target {
+                residual: 1e-6,
+                steps: 9,
+            },
+            1,
+        );
+        target.share(Step { number, residual })
+    };
+    // Half of the way is the root of the target; a residual above the first one is no way back.
+    assert!((share(1e-3) - 0.5).abs() < 1e-15 && share(1.0) == 0.0 && share(2.0) == 0.0);
+    assert!(share(1e-7) == 1.0);
     let (result, residuals) = run(1e-3, 1000);
     assert!(result.is_ok());
     let (last, before) = residuals.split_last().unwrap();

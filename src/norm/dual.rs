@@ -128,6 +128,12 @@ impl Target {
         residual: 1e-8,
         steps: 1000,
     };
+
+    /// How much of the way to the residual is done after a step, from 0 to 1: the residual falls by about the same factor in
+    /// every step.
+    pub fn share(&self, step: Step) -> f64 {
+        (step.residual.ln() / self.residual.ln()).clamp(0.0, 1.0)
+    }
 }
 
 impl Default for Target {

@@ -1,5 +1,6 @@
 //! What does not fit into memory is refused before it begins.
 
+use super::groups::{self, number};
 use regge_terminal::Stop;
 use std::fs;
 
@@ -50,7 +51,11 @@ fn in_words(bytes: f64) -> String {
 
 /// The least of what the system, the shell and the container leave; None where none of them says.
 fn available() -> Option<f64> {
-    let limits = [free(), address_space(), container()];
+    let limits = [
+        free(),
+        address_space(),
+        groups::left(&|file| fs::read_to_string(file).ok()),
+    ];
     limits.into_iter().flatten().reduce(f64::min)
 }
 
@@ -72,17 +77,6 @@ fn address_space() -> Option<f64> {
     let pages = number(&fs::read_to_string("/proc/self/statm").ok()?)?;
     // "unlimited" is no number.
     Some(0.75 * (number(line)? - 4096.0 * pages).max(0.0))
-}
-
-/// What the control group leaves: a container's limit, or a batch system's.
-fn container() -> Option<f64> {
-    let read = |name: &str| number(&fs::read_to_string(format!("/sys/fs/cgroup/{name}")).ok()?);
-    Some((read("memory.max")? - read("memory.current")?).max(0.0))
-}
-
-/// The first word, if it is a number.
-fn number(text: &str) -> Option<f64> {
-    text.split_whitespace().next()?.parse().ok()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 mod common;
 mod from_files;
+mod groups;
 mod memory;
 mod picture;
 #[cfg(feature = "shell")]

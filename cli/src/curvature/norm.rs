@@ -7,8 +7,10 @@ use super::smooth::{check_stated, stated_curvature};
 use super::sums::Evaluation;
 use super::{CurvatureError, failed, input};
 use regge_curvature::functional::{Rules, smooth_curvature};
-use regge_curvature::norm::{DualNorm, Kind, Setting, Step, metric_values};
+use regge_curvature::norm::{DualNorm, Kind, Setting, Step, Target, metric_values};
 use regge_curvature::quadrature::Rule;
+use regge_terminal::left;
+use std::time::Instant;
 
 /// The largest N that norms are for.
 pub const LARGEST_WITH_NORM: usize = 3;
@@ -87,10 +89,11 @@ impl<'a, const N: usize> Norm<'a, N> {
     ) -> Result<NormError, CurvatureError> {
         let load = sums.value.load.as_ref();
         let load = load.expect("a load is evaluated where there is a norm");
-        let mut last = None;
+        let (mut last, begin) = (None, Instant::now());
         let mut watch = |step: Step| {
+            let left = left(Target::DEFAULT.share(step), begin.elapsed());
             phase(&format!(
-                "solving for the norm, step {}: residual {:.1e}",
+                "solving for the norm, step {}: residual {:.1e}{left}",
                 step.number, step.residual
             ));
             last = Some(step);

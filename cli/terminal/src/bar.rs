@@ -141,8 +141,19 @@ impl State {
     }
 }
 
+/// What is said of the time that is left when this share of some work took so long: nothing before there is anything to judge by.
+pub fn left(share: f64, elapsed: Duration) -> String {
+    match share >= 1e-3 {
+        false => String::new(),
+        true => {
+            let rest = elapsed.mul_f64((1.0 / share - 1.0).max(0.0));
+            format!("; about {} left", in_words(rest))
+        }
+    }
+}
+
 /// A time in the largest unit that it has more than one of: `90 s`, `12 min`, `30 h`.
-pub fn in_words(time: Duration) -> String {
+fn in_words(time: Duration) -> String {
     match time.as_secs() {
         seconds @ 0..120 => format!("{seconds} s"),
         seconds @ 120..7200 => format!("{} min", seconds / 60),
@@ -153,6 +164,18 @@ pub fn in_words(time: Duration) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_left() {
+        let after = |share| left(share, Duration::from_secs(30));
+        assert_eq!(after(0.25), "; about 90 s left");
+        assert_eq!(after(1.0), "; about 0 s left");
+        assert_eq!(after(0.01), "; about 49 min left");
+        for nothing in [0.0, 1e-300, -0.5, f64::NAN] {
+            assert_eq!(after(nothing), "");
+        }
+        assert_eq!(after(1.5), "; about 0 s left");
+    }
 
     fn line(position: u64, length: u64) -> String {
         let state = State {

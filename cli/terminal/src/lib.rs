@@ -8,7 +8,7 @@ pub mod output;
 mod stop;
 mod voice;
 
-pub use bar::{Bar, in_words};
+pub use bar::{Bar, left};
 pub use out::Out;
 pub use stop::{EXIT_CODES, Stop};
 pub use voice::{Loudness, Phases, Voice};

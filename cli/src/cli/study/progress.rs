@@ -2,8 +2,8 @@
 
 use regge_curvature::norm::Target;
 use regge_study::{Case, Event, Phase, Study};
-use regge_terminal::{Bar, Voice, in_words};
-use std::time::{Duration, Instant};
+use regge_terminal::{Bar, Voice, left};
+use std::time::Instant;
 
 /// A bar that is as long as a study is work.
 pub struct Progress {
@@ -52,8 +52,7 @@ impl Progress {
                 self.put(study, case, share(phase), phase.to_string());
             }
             Event::Step(case, step) => {
-                // The residual falls by about the same factor in every step.
-                let part = (step.residual.ln() / Target::DEFAULT.residual.ln()).clamp(0.0, 1.0);
+                let part = Target::DEFAULT.share(step);
                 let (from, to) = (share(Phase::Solve), share(Phase::Norm));
                 let what = format!(
                     "solution, step {}, residual {:.1e}",
@@ -74,18 +73,8 @@ impl Progress {
 
     fn put(&self, study: &Study, case: Case, share: f64, what: String) {
         let position = self.done + (share * study.work(case) as f64) as u64;
-        let left = match (position - self.earlier) as f64 {
-            // Nothing to judge by yet.
-            0.0 => String::new(),
-            here => {
-                let rest = (self.work - position) as f64;
-                let seconds = self.start.elapsed().as_secs_f64() * rest / here;
-                format!(
-                    "; about {} left",
-                    in_words(Duration::from_secs_f64(seconds))
-                )
-            }
-        };
+        let share = (position - self.earlier) as f64 / (self.work - self.earlier) as f64;
+        let left = left(share, self.start.elapsed());
         let Case { degree, level } = case;
         self.bar
             .place(position, format!("r = {degree}, k = {level}: {what}{left}"));
