@@ -56,6 +56,11 @@ impl Interval {
         self.low > 0.0
     }
 
+    /// What it has in common with another enclosure of the same number.
+    pub fn meet(self, other: Self) -> Self {
+        Self::between(self.low.max(other.low), self.high.min(other.high))
+    }
+
     /// How far apart its ends are, rounded up.
     pub fn width(self) -> f64 {
         (self.high - self.low).next_up()

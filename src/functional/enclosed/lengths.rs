@@ -114,10 +114,11 @@ impl Enclosed {
     }
 }
 
-/// Angles and sizes at the hinges of a cell, through the library's own corner.
+/// Angles and sizes at the hinges of a cell, through the library's own corner, seen from the vertex that makes them narrowest.
 fn on_cell<const N: usize>(g: &ReggeFunction<f64, N>, cell: usize) -> Result<OnCell, Error> {
     let squares: Vec<Interval> = g.local(cell).into_iter().map(Interval::exactly).collect();
-    let metric = from_squares::<N>(&squares);
+    let base = base::<N>(&squares);
+    let metric = from_squares::<N>(&squares, base);
     if !ldlt(&metric)
         .factors
         .diagonal()
@@ -136,8 +137,10 @@ fn on_cell<const N: usize>(g: &ReggeFunction<f64, N>, cell: usize) -> Result<OnC
     };
     for hinge in subsets(N + 1, N - 1) {
         let apart: Vec<usize> = (0..=N).filter(|v| !hinge.contains(v)).collect();
-        let nu: [Vector<Interval, N>; 2] = [outward(apart[0]), outward(apart[1])];
-        let corner = Corner::new(&PAPER, &inverse, det, [&nu[0], &nu[1]]);
+        let nu: [Vector<Interval, N>; 2] = [apart[0], apart[1]].map(|v| outward(swapped(base, v)));
+        let mut corner = Corner::new(&PAPER, &inverse, det, [&nu[0], &nu[1]]);
+        // The same number, det g|_S over det g (Jacobi): in flat cells the difference of products encloses zero.
+        corner.gram = corner.gram.meet(det_on::<N>(&squares, &hinge) / det);
         let (sin, cos) = corner.dihedral();
         // A vertex of a surface has the size 1, however thin the triangle is.
         let size = match N {
@@ -151,9 +154,13 @@ fn on_cell<const N: usize>(g: &ReggeFunction<f64, N>, cell: usize) -> Result<OnC
             }
             let mut unit = vec![Interval::zero(); edges.len()];
             unit[e] = Interval::one();
-            squares[e].sqrt() * corner.trace(&from_squares(&unit)) * size
+            squares[e].sqrt() * corner.trace(&from_squares(&unit, base)) * size
         };
-        found.angles.push(Interval::angle(sin, cos));
+        let angle = Interval::angle(sin, cos);
+        if !angle.is_positive() {
+            return Err(degenerate(g, cell));
+        }
+        found.angles.push(angle);
         found
             .rates
             .push(edges.iter().enumerate().map(rate).collect());
@@ -162,20 +169,59 @@ fn on_cell<const N: usize>(g: &ReggeFunction<f64, N>, cell: usize) -> Result<OnC
     Ok(found)
 }
 
-/// g_ij = ½(q_0i + q_0j − q_ij) in reference coordinates, from q by edge.
-fn from_squares<const N: usize>(squares: &[Interval]) -> Mat<Interval, N> {
-    let edges = subsets(N + 1, 2);
-    let q = |i: usize, j: usize| {
-        let place = edges.iter().position(|e| e[0] == i && e[1] == j);
-        place.map_or(Interval::zero(), |e| squares[e])
+/// Vertex 0 and the base in each other's place.
+fn swapped(base: usize, vertex: usize) -> usize {
+    match vertex {
+        0 => base,
+        v if v == base => 0,
+        v => v,
+    }
+}
+
+/// The square of the length between two vertices of an N-simplex, from those by edge.
+fn square<const N: usize>(squares: &[Interval], i: usize, j: usize) -> Interval {
+    let place = subsets(N + 1, 2)
+        .iter()
+        .position(|e| e[0] == i.min(j) && e[1] == i.max(j));
+    place.map_or(Interval::zero(), |e| squares[e])
+}
+
+/// The vertex with the shortest edges: in a thin triangle it is that of the largest angle. From there det g is a difference of
+/// numbers that are not much larger.
+fn base<const N: usize>(squares: &[Interval]) -> usize {
+    let around = |v: usize| -> f64 {
+        (0..=N)
+            .map(|w| square::<N>(squares, v, w).high())
+            .sum::<f64>()
     };
+    let least = (0..=N).min_by(|&a, &b| around(a).total_cmp(&around(b)));
+    least.expect("a simplex has vertices")
+}
+
+/// g_ij = ½(q_0i + q_0j − q_ij) in reference coordinates, from q by edge, with the base for vertex 0.
+fn from_squares<const N: usize>(squares: &[Interval], base: usize) -> Mat<Interval, N> {
+    let q = |i: usize, j: usize| square::<N>(squares, swapped(base, i), swapped(base, j));
     symmetric(|i, j| (q(0, i + 1) + q(0, j + 1) - q(i + 1, j + 1)) * Interval::half())
+}
+
+/// det g|_S of a hinge with these vertices, relative to its own reference coordinates: 1 for a vertex of a surface.
+fn det_on<const N: usize>(squares: &[Interval], hinge: &[usize]) -> Interval {
+    let q = |i: usize, j: usize| square::<N>(squares, hinge[i], hinge[j]);
+    let on_s =
+        |i: usize, j: usize| (q(0, i + 1) + q(0, j + 1) - q(i + 1, j + 1)) * Interval::half();
+    // The rest of the matrix is that of the identity.
+    let metric: Mat<Interval, N> = symmetric(|i, j| match i.max(j) < N - 2 {
+        true => on_s(i, j),
+        false if i == j => Interval::one(),
+        false => Interval::zero(),
+    });
+    inverse_and_det(&metric).1
 }
 
 /// A cell with a pivot that may not be positive.
 fn degenerate<const N: usize>(g: &ReggeFunction<f64, N>, cell: usize) -> Error {
     let squares: Vec<Interval> = g.local(cell).into_iter().map(Interval::exactly).collect();
-    let middle = from_squares::<N>(&squares).map(|x| (x.low() + x.high()) / 2.0);
+    let middle = from_squares::<N>(&squares, 0).map(|x| (x.low() + x.high()) / 2.0);
     match indefinite_pivot(&middle) {
         Some(pivot) => Error::Indefinite {
             cell,
