@@ -54,6 +54,17 @@ fn every_label_has_a_kind_and_either_a_home_or_a_reason() {
     }
 }
 
+/// Of what the paper asserts, at most five labels are nobody's business, and a referee must accept why.
+#[test]
+fn hardly_a_bound_rate_or_remark_is_without_a_home() {
+    let asserted = ["claim", "bound", "rate", "remark"];
+    let homeless = labels()
+        .into_iter()
+        .filter(|(_, label)| asserted.contains(&&*label.kind) && label.home.is_empty());
+    let names: Vec<_> = homeless.map(|(name, _)| name).collect();
+    assert!(names.len() <= 5, "{names:?}");
+}
+
 /// A home that does not speak of a label does not verify it. Sections are there as a whole.
 #[test]
 fn every_home_cites_its_label() {
