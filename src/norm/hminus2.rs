@@ -117,11 +117,10 @@ impl<const N: usize> HMinus2<N> {
     /// 2), 5 % more for N = 2, k = 7, r = 2 (747 MiB).
     pub fn memory(census: &Census, degree: usize) -> f64 {
         let size = Size::new(&census.simplices, degree);
-        let solver = match iterates(census, &size) {
+        match iterates(census, &size) {
             true => iterative::memory(&size, Some(census.boundary).filter(|_| !census.cube)),
             false => direct::memory(&size),
-        };
-        size.memory() + solver
+        }
     }
 
     /// The solver's name.

@@ -63,10 +63,15 @@ impl<const N: usize> Shape<N> {
         })
     }
 
+    /// The unit normal that leaves the cell at a face, by the face's place in `faces`.
+    pub fn normal(&self, place: usize) -> Vector<f64, N> {
+        let nu = conormal::<N>(N - place).into();
+        (self.jacobian * apply(&self.inverse, &nu)).normalize()
+    }
+
     /// The coefficient of Y_b in s_a when S^{ij} = g^{ik} g^{jl} Y_kl: pairs a = (i, j), b = (k, l).
-    pub fn raise(&self, (i, j): (usize, usize), (k, l): (usize, usize)) -> f64 {
-        let q = &self.inverse;
-        0.5 * (q[(i, k)] * q[(j, l)] + q[(i, l)] * q[(j, k)])
+    fn raise(&self, (i, j): (usize, usize), (k, l): (usize, usize)) -> f64 {
+        raise([(i, k), (j, l), (i, l), (j, k)].map(|pair| self.inverse[pair]))
     }
 
     /// The energy of (u, û) after the moments are condensed: uᵀ A u = |σ(u)|² over the cell. Symmetric.
@@ -118,6 +123,12 @@ impl<const N: usize> Shape<N> {
         let faces = element.layout.faces.iter().zip(&self.faces);
         faces.flat_map(move |(moments, shape)| moments.iter().map(move |m| (m, shape, p)))
     }
+}
+
+/// ½ (g^{ik} g^{jl} + g^{il} g^{jk}) from the four factors in this order.
+#[inline]
+pub(in crate::norm) fn raise([ik, jl, il, jk]: [f64; 4]) -> f64 {
+    0.5 * (ik * jl + il * jk)
 }
 
 /// The face opposite to vertex `f`.

@@ -32,7 +32,6 @@ use nalgebra::DMatrix;
 pub struct Hhj<const N: usize> {
     space: Lagrange<N>,
     element: Element<N>,
-    shapes: Vec<Shape<N>>,
 }
 
 impl<const N: usize> Hhj<N> {
@@ -51,15 +50,13 @@ impl<const N: usize> Hhj<N> {
                 "a mesh without boundary cannot be clamped".into(),
             ));
         }
-        let shapes: Option<Vec<_>> = (0..mesh.cell_count())
-            .map(|cell| Shape::new(mesh, cell))
-            .collect();
-        let shapes = shapes.ok_or(Error::NoCoordinates("the biharmonic problem"))?;
+        if !mesh.has_coordinates() {
+            return Err(Error::NoCoordinates("the biharmonic problem"));
+        }
         let space = Lagrange::new(mesh, degree);
         Ok(Self {
             element: Element::new(&space),
             space,
-            shapes,
         })
     }
 
@@ -106,7 +103,7 @@ impl<const N: usize> Hhj<N> {
     /// The matrix of |σ(u, û)|²_{L²(T)}, a cell's contribution to the system: symmetric, positive semidefinite, zero
     /// on affine u with its û.
     pub fn energy(&self, cell: usize) -> DMatrix<f64> {
-        self.shapes[cell].energy(&self.element)
+        self.shape(cell).energy(&self.element)
     }
 
     /// A solver's error with the cell that is most likely its reason: the one that is flattest for its size.
@@ -115,12 +112,12 @@ impl<const N: usize> Hhj<N> {
             return error;
         };
         let flatness = |cell: usize| {
-            let shape = &self.shapes[cell];
+            let shape = self.shape(cell);
             let heights = shape.faces.iter().map(|face| face.height.abs());
             // |J|, from which the longest edge is not far.
             heights.fold(f64::INFINITY, f64::min) / shape.jacobian.norm()
         };
-        let cells = (0..self.shapes.len()).map(|cell| (cell, flatness(cell)));
+        let cells = (0..self.mesh().cell_count()).map(|cell| (cell, flatness(cell)));
         let worst = cells.min_by(|(_, a), (_, b)| a.total_cmp(b));
         let (cell, flatness) = worst.expect("a mesh has cells");
         let vertices = self.mesh().vertices(N, cell);
@@ -137,9 +134,10 @@ impl<const N: usize> Hhj<N> {
         points: &Points,
     ) -> Vec<Mat<f64, N>> {
         let phi = self.element.moments.tabulate(points);
-        let s = self.tensor(solution, cell);
+        let shape = self.shape(cell);
+        let s = self.tensor(solution, cell, &shape);
         phi.iter()
-            .map(|phi| self.cartesian(cell, &s, phi))
+            .map(|phi| self.cartesian(&shape, &s, phi))
             .collect()
     }
 
@@ -150,8 +148,8 @@ impl<const N: usize> Hhj<N> {
         cell: usize,
         table: &Table<N>,
     ) -> [f64; 3] {
-        let shape = &self.shapes[cell];
-        let s = self.tensor(solution, cell);
+        let shape = self.shape(cell);
+        let s = self.tensor(solution, cell, &shape);
         let u: Vec<f64> = self
             .space
             .cell_dofs(cell)
@@ -166,7 +164,7 @@ impl<const N: usize> Hhj<N> {
             }
             // |∇u|² = g^{ij} ∂_i u ∂_j u.
             let slope = d.dot(&(shape.inverse * d));
-            let sigma = self.cartesian(cell, &s, &table.phi[q]).norm_squared();
+            let sigma = self.cartesian(&shape, &s, &table.phi[q]).norm_squared();
             for (sum, square) in squares.iter_mut().zip([value * value, slope, sigma]) {
                 *sum += weight * shape.volume * square;
             }
@@ -198,36 +196,36 @@ impl<const N: usize> Hhj<N> {
         &self.element
     }
 
-    /// The shapes of the cells.
-    pub(in crate::norm) fn shapes(&self) -> &[Shape<N>] {
-        &self.shapes
+    /// The shape of a cell, made anew each time.
+    pub(in crate::norm) fn shape(&self, cell: usize) -> Shape<N> {
+        Shape::new(self.mesh(), cell).expect("there are coordinates")
     }
 
     /// The barycentres of the cells.
     pub(in crate::norm) fn centres(&self) -> Vec<Vector<f64, N>> {
-        self.shapes.iter().map(|s| s.centre).collect()
+        let cells = 0..self.mesh().cell_count();
+        cells.map(|cell| self.shape(cell).centre).collect()
     }
 
     /// The coefficients of σ in a cell: reference component a along φ_k in `[(k, a)]`.
-    fn tensor(&self, solution: &Representative, cell: usize) -> DMatrix<f64> {
+    fn tensor(&self, solution: &Representative, cell: usize, shape: &Shape<N>) -> DMatrix<f64> {
         let local: Vec<f64> = self
             .cell_unknowns(cell)
             .into_iter()
             .map(|i| solution.coefficients[i])
             .collect();
-        self.shapes[cell].tensor(&self.element, &local)
+        shape.tensor(&self.element, &local)
     }
 
     /// σ = J S Jᵀ with S = Σ_a (Σ_k `s[(k, a)]` φ_k) E_a.
-    fn cartesian(&self, cell: usize, s: &DMatrix<f64>, phi: &[f64]) -> Mat<f64, N> {
+    fn cartesian(&self, shape: &Shape<N>, s: &DMatrix<f64>, phi: &[f64]) -> Mat<f64, N> {
         let mut tensor = Mat::<f64, N>::zeros();
         for (a, &(i, j)) in self.element.pairs.iter().enumerate() {
             let component: f64 = phi.iter().enumerate().map(|(k, phi)| s[(k, a)] * phi).sum();
             tensor[(i, j)] = component;
             tensor[(j, i)] = component;
         }
-        let jacobian = &self.shapes[cell].jacobian;
-        jacobian * tensor * jacobian.transpose()
+        shape.jacobian * tensor * shape.jacobian.transpose()
     }
 }
 

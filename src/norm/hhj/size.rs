@@ -62,11 +62,6 @@ impl Size {
         self.sum(|k| self.width(k) * (self.width(k) + 1) / 2)
     }
 
-    /// The bytes of the shapes of the cells, measured.
-    pub fn memory(&self) -> f64 {
-        self.cells() as f64 * if self.dimension() == 2 { 250.0 } else { 350.0 }
-    }
-
     /// How many u belong to a k-simplex.
     fn own(&self, k: usize) -> usize {
         own(k, self.degree)

@@ -1,51 +1,92 @@
 //! Some cells side by side: every number of a cell is a lane of a row, and rows are what loops and products run over.
 
-use crate::norm::hhj::cell::Shape;
+use crate::norm::hhj::Hhj;
+use crate::norm::hhj::cell::raise;
 use crate::norm::hhj::element::Element;
+use crate::parallel::for_chunks;
 use nalgebra::DMatrix;
 
 /// How many cells are worked on side by side: their rows fit into the second cache.
 pub(super) const CELLS: usize = 64;
 
+/// The geometry of all cells, batch after batch, row by row.
+#[derive(Clone, Debug)]
+pub(super) struct Geometry {
+    numbers: Vec<f64>,
+    /// How many rows a batch has: |det J|; g^{ij} by pairs; ±h_f by face; p τ_v by face and vertex of the face.
+    rows: usize,
+}
+
+impl Geometry {
+    /// Of the mesh's cells in this order.
+    pub fn new<const N: usize>(hhj: &Hhj<N>, cells: &[u32]) -> Self {
+        let element = hhj.element();
+        let rows = 1 + element.pairs.len() + (N + 1) * (N + 1);
+        let mut numbers = vec![0.0; rows * cells.len()];
+        for_chunks(&mut numbers, CELLS * rows, |batch, numbers| {
+            let lanes = numbers.len() / rows;
+            for lane in 0..lanes {
+                let shape = hhj.shape(cells[batch * CELLS + lane] as usize);
+                let inverse = element.pairs.iter().map(|&pair| shape.inverse[pair]);
+                let heights = shape.faces.iter().map(|face| face.height);
+                let tangents = shape.faces.iter().flat_map(|face| face.tangent);
+                let tangents = tangents.map(|tau| element.degree as f64 * tau);
+                let all = std::iter::once(shape.volume).chain(inverse);
+                for (row, number) in all.chain(heights).chain(tangents).enumerate() {
+                    numbers[row * lanes + lane] = number;
+                }
+            }
+        });
+        Self { numbers, rows }
+    }
+}
+
 /// The geometry of some cells, lane by lane.
-pub(super) struct Batch {
+pub(super) struct Batch<'a> {
     /// How many cells.
     pub lanes: usize,
     /// The symmetric weights that stand between B̂ᵀ and B̂: row a·pairs + b.
     weights: Vec<f64>,
     /// ±h_f, by face.
-    heights: Vec<f64>,
+    heights: &'a [f64],
     /// p τ_v, by face and vertex of the face.
-    tangents: Vec<f64>,
+    tangents: &'a [f64],
 }
 
-impl Batch {
+impl<'a> Batch<'a> {
     /// Some consecutive cells.
-    pub fn new<const N: usize>(element: &Element<N>, shapes: &[Shape<N>]) -> Self {
-        let (lanes, pairs) = (shapes.len(), element.pairs.len());
-        let faces = N + 1;
-        let mut batch = Self {
-            lanes,
-            weights: vec![0.0; pairs * pairs * lanes],
-            heights: vec![0.0; faces * lanes],
-            tangents: vec![0.0; faces * N * lanes],
+    pub fn new<const N: usize>(element: &Element<N>, geometry: &'a Geometry, batch: usize) -> Self {
+        let unit = CELLS * geometry.rows;
+        let numbers = &geometry.numbers[batch * unit..];
+        let numbers = &numbers[..unit.min(numbers.len())];
+        let (n, pairs) = (numbers.len() / geometry.rows, element.pairs.len());
+        let (volume, rest) = numbers.split_at(n);
+        let (inverse, rest) = rest.split_at(pairs * n);
+        let (heights, tangents) = rest.split_at((N + 1) * n);
+        let position = |i: usize, j: usize| {
+            let mut pairs = element.pairs.iter();
+            pairs.position(|&pair| pair == (i.min(j), i.max(j)))
         };
-        for (lane, shape) in shapes.iter().enumerate() {
-            for a in 0..pairs {
-                for b in 0..pairs {
-                    batch.weights[(a * pairs + b) * lanes + lane] =
-                        shape.volume * shape.raise(element.pairs[a], element.pairs[b]);
+        let q = |i: usize, j: usize| row(inverse, position(i, j).expect("a pair"), n);
+        let mut weights = vec![0.0; pairs * pairs * n];
+        for a in 0..pairs {
+            for b in 0..=a {
+                let ((i, j), (k, l)) = (element.pairs[a], element.pairs[b]);
+                let factors = [q(i, k), q(j, l), q(i, l), q(j, k)];
+                let target = row_mut(&mut weights, a * pairs + b, n);
+                for (lane, (w, volume)) in target.iter_mut().zip(volume).enumerate() {
+                    *w = volume * raise(factors.map(|row| row[lane]));
                 }
-            }
-            for (f, face) in shape.faces.iter().enumerate() {
-                batch.heights[f * lanes + lane] = face.height;
-                for v in 0..N {
-                    batch.tangents[(f * N + v) * lanes + lane] =
-                        element.degree as f64 * face.tangent[v];
-                }
+                let (from, to) = (a * pairs + b, b * pairs + a);
+                weights.copy_within(from * n..(from + 1) * n, to * n);
             }
         }
-        batch
+        Self {
+            lanes: n,
+            weights,
+            heights,
+            tangents,
+        }
     }
 
     /// (u, û) becomes (u, ŵ): ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}.
@@ -53,9 +94,9 @@ impl Batch {
         let n = self.lanes;
         for (f, moments) in element.layout.faces.iter().enumerate() {
             for moment in moments {
-                scale(row_mut(x, moment.slope, n), row(&self.heights, f, n));
+                scale(row_mut(x, moment.slope, n), row(self.heights, f, n));
                 for (v, &raised) in moment.raised.iter().enumerate() {
-                    let tangent = row(&self.tangents, f * N + v, n);
+                    let tangent = row(self.tangents, f * N + v, n);
                     let (target, source) = two_rows(x, moment.slope, raised, n);
                     subtract(target, tangent, source);
                 }
@@ -69,11 +110,11 @@ impl Batch {
         for (f, moments) in element.layout.faces.iter().enumerate() {
             for moment in moments {
                 for (v, &raised) in moment.raised.iter().enumerate() {
-                    let tangent = row(&self.tangents, f * N + v, n);
+                    let tangent = row(self.tangents, f * N + v, n);
                     let (target, source) = two_rows(x, raised, moment.slope, n);
                     subtract(target, tangent, source);
                 }
-                scale(row_mut(x, moment.slope, n), row(&self.heights, f, n));
+                scale(row_mut(x, moment.slope, n), row(self.heights, f, n));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The diagonal blocks of the condensed operator, one a simplex, inverted.
 
+use super::order::CLAMPED;
 use super::skeleton::Skeleton;
 use crate::Error;
 use crate::mesh::Mesh;
@@ -8,12 +9,12 @@ use crate::norm::hhj::cell::eliminate;
 use crate::parallel::{for_chunks, in_order};
 use std::sync::Arc;
 
-/// A_ss⁻¹ for each interior simplex s. Single precision is enough for a preconditioner: the rounding is one of every
+/// A_ss⁻¹ for each simplex s. Single precision is enough for a preconditioner: the rounding is one of every
 /// entry, relative to itself.
 #[derive(Clone, Debug)]
 pub(super) struct BlockJacobi {
     skeleton: Arc<Skeleton>,
-    /// By dimension: the lower triangles, row by row, one simplex after the other. Zero in ∂Ω.
+    /// By dimension: the lower triangles, row by row, one simplex after the other.
     inverses: Vec<Vec<f32>>,
 }
 
@@ -26,7 +27,7 @@ impl BlockJacobi {
     pub fn new<const N: usize>(hhj: &Hhj<N>, skeleton: &Arc<Skeleton>) -> Result<Self, Error> {
         let mut inverses = Vec::new();
         for (k, sums) in diagonal(hhj, skeleton).into_iter().enumerate() {
-            inverses.push(invert(hhj.mesh(), k, skeleton.widths[k], &sums)?);
+            inverses.push(invert(hhj.mesh(), k, skeleton, &sums)?);
         }
         Ok(Self {
             skeleton: skeleton.clone(),
@@ -60,15 +61,15 @@ fn packed(width: usize) -> usize {
     width * (width + 1) / 2
 }
 
-/// The blocks A_ss, as those of [`BlockJacobi`] but in double precision and of all simplices.
+/// The blocks A_ss, as those of [`BlockJacobi`] but in double precision.
 fn diagonal<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Vec<Vec<f64>> {
-    let (mesh, layout) = (hhj.mesh(), hhj.layout());
+    let (layout, order) = (hhj.layout(), &skeleton.order);
     let sizes: Vec<usize> = skeleton.widths.iter().map(|&w| packed(w)).collect();
     let mut sums: Vec<Vec<f64>> = (0..N)
-        .map(|k| vec![0.0; sizes[k] * mesh.count(k)])
+        .map(|k| vec![0.0; sizes[k] * order.layers[k].len()])
         .collect();
     let blocks = |cell: usize| {
-        let mut energy = hhj.energy(cell);
+        let mut energy = hhj.energy(order.cells[cell] as usize);
         eliminate(&mut energy, layout.bubbles);
         let mut packed = Vec::new();
         for block in &layout.blocks {
@@ -78,16 +79,18 @@ fn diagonal<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Vec<Vec<f64>> 
         }
         packed
     };
-    in_order(mesh.cell_count(), blocks, |cell, packed| {
+    in_order(order.cells.len(), blocks, |cell, packed| {
         let mut from = packed.as_slice();
         for block in &layout.blocks {
             let (here, rest) = from.split_at(sizes[block.k]);
-            let simplex = mesh.simplices_of(cell, block.k)[block.place] as usize;
-            let to = &mut sums[block.k][simplex * here.len()..];
-            for (to, a) in to.iter_mut().zip(here) {
-                *to += a;
-            }
             from = rest;
+            let simplex = order.layers[block.k].of_cell(cell)[block.place];
+            if simplex != CLAMPED {
+                let to = &mut sums[block.k][simplex as usize * here.len()..];
+                for (to, a) in to.iter_mut().zip(here) {
+                    *to += a;
+                }
+            }
         }
     });
     sums
@@ -113,9 +116,10 @@ fn multiply(a: &[f32], r: &[f64], z: &mut [f64]) {
 fn invert<const N: usize>(
     mesh: &Mesh<N>,
     k: usize,
-    width: usize,
+    skeleton: &Skeleton,
     sums: &[f64],
 ) -> Result<Vec<f32>, Error> {
+    let width = skeleton.widths[k];
     let size = packed(width);
     let mut inverses = vec![0.0; sums.len()];
     if size == 0 {
@@ -124,16 +128,14 @@ fn invert<const N: usize>(
     for_chunks(&mut inverses, SIMPLICES * size, |piece, inverses| {
         for (i, inverse) in inverses.chunks_exact_mut(size).enumerate() {
             let simplex = piece * SIMPLICES + i;
-            if mesh.is_interior(k, simplex) {
-                invert_one(width, &sums[simplex * size..(simplex + 1) * size], inverse);
-            }
+            invert_one(width, &sums[simplex * size..(simplex + 1) * size], inverse);
         }
     });
     match inverses.iter().position(|x| !x.is_finite()) {
         None => Ok(inverses),
         Some(i) => Err(Error::Solver(format!(
             "the block of the {k}-simplex {:?} is not positive definite",
-            mesh.vertices(k, i / size)
+            mesh.vertices(k, skeleton.order.layers[k].simplices[i / size] as usize)
         ))),
     }
 }

@@ -7,6 +7,7 @@ mod coarse;
 mod cycle;
 mod jacobi;
 mod operator;
+mod order;
 mod skeleton;
 
 use super::dual::{Representative, Step, Target};
@@ -75,7 +76,7 @@ impl<const N: usize> Iterative<N> {
 
 /// What benches measure.
 impl<const N: usize> Iterative<N> {
-    /// How many unknowns it iterates on, clamped ones included.
+    /// How many unknowns it iterates on: u without its bubbles, and û, inside Ω.
     pub fn unknowns(&self) -> usize {
         self.operator().skeleton.len()
     }
@@ -122,7 +123,7 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
             "a load of another space"
         );
         let (operator, skeleton) = (self.operator(), &self.operator().skeleton);
-        let mut r = skeleton.gather(self.hhj().mesh(), load);
+        let mut r = skeleton.gather(load);
         let mut room = Room::new(&self.cycle.fine);
         operator.condense(load, &mut r, &mut room.operator);
         let x = cg::solve(
@@ -134,14 +135,14 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
             watch,
         )?;
         let mut coefficients = vec![0.0; self.hhj().len()];
-        skeleton.scatter(self.hhj().mesh(), &x, &mut coefficients);
-        operator.bubbles(load, &x, &mut coefficients);
+        skeleton.scatter(&x, &mut coefficients);
+        operator.bubbles(load, &x, &mut coefficients, &mut room.operator);
         Ok(Representative { coefficients })
     }
 }
 
-/// The bytes that the iteration takes: inverse blocks in single precision; eight vectors, the load and the solution; a place
-/// for each cell's result. While they are set up the blocks are there in double precision too, and where the mesh is no cube
+/// The bytes that the iteration takes: the cells' geometry and order; inverse blocks in single precision; eight vectors, the load
+/// and the solution; a place for each cell's result. While they are set up the blocks are there in double precision too, and where the mesh is no cube
 /// with so many faces in ∂Ω the splines' rows.
 pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let [blocks, unknowns, u, outer] = [
@@ -154,5 +155,7 @@ pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let vectors = 8.0 * (8.0 * unknowns + 2.0 * (u + unknowns));
     let set_up = (8.0 * blocks - 64.0 * unknowns).max(0.0);
     let splines = boundary.map_or(0.0, |faces| coarse::memory(size, faces));
-    4.0 * blocks + vectors + 8.0 * outer + set_up + splines
+    let of_cell = if size.dimension() == 2 { 175.0 } else { 330.0 };
+    let cells = of_cell * size.cells() as f64;
+    cells + 4.0 * blocks + vectors + 8.0 * outer + set_up + splines
 }

@@ -4,7 +4,7 @@
 //! Cells are taken in batches, so that B̂ and B̂ᵀ are products of dense matrices; each batch writes to a place of its own,
 //! and every simplex then adds up what its cells have for it, in their order: no bit depends on the threads.
 
-use super::batch::{Batch, CELLS, row, row_mut};
+use super::batch::{Batch, CELLS, Geometry, row, row_mut};
 use super::skeleton::Skeleton;
 use crate::norm::hhj::Hhj;
 use crate::parallel::for_chunks;
@@ -20,6 +20,7 @@ pub(super) struct Operator<const N: usize> {
     pub skeleton: Arc<Skeleton>,
     /// B̂_aᵀ B̂_b restricted to the bubbles, in the order a·pairs + b.
     gram: Vec<DMatrix<f64>>,
+    geometry: Geometry,
 }
 
 /// How many simplices add up their cells' contributions in one piece of work.
@@ -38,6 +39,7 @@ impl<const N: usize> Operator<N> {
             hhj: hhj.clone(),
             skeleton: skeleton.clone(),
             gram,
+            geometry: Geometry::new(hhj, &skeleton.order.cells),
         }
     }
 
@@ -79,31 +81,33 @@ impl<const N: usize> Operator<N> {
         self.collect(room, y, -1.0);
     }
 
-    /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients.
-    pub fn bubbles(&self, load: &[f64], x: &[f64], coefficients: &mut [f64]) {
+    /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients. `room` is overwritten.
+    pub fn bubbles(&self, load: &[f64], x: &[f64], coefficients: &mut [f64], room: &mut [f64]) {
         let count = self.hhj.layout().bubbles;
         if count == 0 {
             return;
         }
-        let first = self.skeleton.bubbles(0).start;
-        let all = &mut coefficients[first..first + count * self.hhj.mesh().cell_count()];
-        for_chunks(all, CELLS * count, |batch, out| {
+        let (cells, stride) = (self.skeleton.order.cells.len(), CELLS * self.outer());
+        for_chunks(room, stride, |batch, out| {
             let mut work = Work::new(self, batch);
             work.load(x);
             let bubbles = work.bend(&|place| load[place]);
-            for lane in 0..work.batch.lanes {
-                for i in 0..count {
-                    out[lane * count + i] = bubbles[i * work.batch.lanes + lane];
-                }
-            }
+            out[..bubbles.len()].copy_from_slice(&bubbles);
         });
+        for cell in 0..cells {
+            let (batch, lane) = (cell / CELLS, cell % CELLS);
+            let lanes = CELLS.min(cells - batch * CELLS);
+            for (i, place) in self.skeleton.bubbles(cell).enumerate() {
+                coefficients[place] = room[batch * stride + i * lanes + lane];
+            }
+        }
     }
 
-    /// y += factor · the sum over the cells, for the unknowns of interior simplices.
+    /// y += factor · the sum over the cells.
     fn collect(&self, room: &[f64], y: &mut [f64], factor: f64) {
-        let (mesh, layout) = (self.hhj.mesh(), self.hhj.layout());
-        let (outer, cells) = (self.outer(), mesh.cell_count());
-        for k in 0..N {
+        let (order, layout) = (&self.skeleton.order, self.hhj.layout());
+        let (outer, cells) = (self.outer(), order.cells.len());
+        for (k, simplices) in order.layers.iter().enumerate() {
             let width = self.skeleton.widths[k];
             if width == 0 {
                 continue;
@@ -114,14 +118,10 @@ impl<const N: usize> Operator<N> {
             let layer = self.skeleton.layer_mut(k, y);
             for_chunks(layer, SIMPLICES * width, |piece, layer| {
                 for (i, y) in layer.chunks_exact_mut(width).enumerate() {
-                    let simplex = piece * SIMPLICES + i;
-                    for side in mesh
-                        .star(k, simplex)
-                        .filter(|_| mesh.is_interior(k, simplex))
-                    {
-                        let begin = side.cell / CELLS * CELLS;
+                    for (cell, which) in simplices.star(piece * SIMPLICES + i) {
+                        let begin = cell / CELLS * CELLS;
                         let lanes = CELLS.min(cells - begin);
-                        let from = begin * outer + starts[side.place] * lanes + side.cell - begin;
+                        let from = begin * outer + starts[which] * lanes + cell - begin;
                         for (j, y) in y.iter_mut().enumerate() {
                             *y += factor * room[from + j * lanes];
                         }
@@ -140,7 +140,7 @@ impl<const N: usize> Operator<N> {
 /// A batch at work.
 struct Work<'a, const N: usize> {
     operator: &'a Operator<N>,
-    batch: Batch,
+    batch: Batch<'a>,
     /// Its first cell.
     begin: usize,
     /// The unknowns of the cells.
@@ -152,14 +152,12 @@ struct Work<'a, const N: usize> {
 
 impl<'a, const N: usize> Work<'a, N> {
     fn new(operator: &'a Operator<N>, batch: usize) -> Self {
-        let hhj = &operator.hhj;
-        let begin = batch * CELLS;
-        let shapes = hhj.shapes();
-        let shapes = &shapes[begin..shapes.len().min(begin + CELLS)];
-        let (lanes, rows) = (shapes.len(), hhj.element().pairing.nrows());
+        let (hhj, begin) = (&operator.hhj, batch * CELLS);
+        let batch = Batch::new(hhj.element(), &operator.geometry, batch);
+        let (lanes, rows) = (batch.lanes, hhj.element().pairing.nrows());
         Self {
             operator,
-            batch: Batch::new(hhj.element(), shapes),
+            batch,
             begin,
             x: vec![0.0; hhj.layout().len * lanes],
             y: vec![0.0; rows * lanes],
@@ -174,9 +172,8 @@ impl<'a, const N: usize> Work<'a, N> {
         for lane in 0..lanes {
             let cell = self.begin + lane;
             for block in &element.layout.blocks {
-                let simplex = hhj.mesh().simplices_of(cell, block.k)[block.place] as usize;
-                let from = skeleton.first(block.k, simplex);
-                for (i, x) in global[from..from + block.width].iter().enumerate() {
+                let from = skeleton.of_cell(block.k, cell, block.place);
+                for (i, x) in global[from].iter().enumerate() {
                     self.x[(block.start + i) * lanes + lane] = *x;
                 }
             }
@@ -204,11 +201,12 @@ impl<'a, const N: usize> Work<'a, N> {
         if bubbles == 0 {
             return t;
         }
-        let first = operator.skeleton.bubbles(self.begin).start;
-        for i in 0..bubbles {
-            for lane in 0..lanes {
-                t[i * lanes + lane] = f(first + lane * bubbles + i);
+        for lane in 0..lanes {
+            for (i, place) in operator.skeleton.bubbles(self.begin + lane).enumerate() {
+                t[i * lanes + lane] = f(place);
             }
+        }
+        for i in 0..bubbles {
             for r in 0..pairs * size {
                 let b = element.pairing[(r, i)];
                 for (t, z) in row_mut(&mut t, i, lanes)

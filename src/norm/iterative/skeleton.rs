@@ -1,14 +1,16 @@
-//! The unknowns of the matrix-free solver: u and û, simplex by simplex of dimension < N. Bubbles are condensed.
+//! The unknowns of the matrix-free solver: u and û of the interior simplices of dimension < N. Bubbles are condensed.
 //!
-//! All k-simplices have blocks of one width, in their mesh's order: first the vertices' blocks, then the edges', and
-//! so on. Entries of simplices in ∂Ω are there too, and zero.
+//! All k-simplices have blocks of one width, in the solver's order: first the vertices' blocks, then the edges', and so on.
 
+use super::order::{CLAMPED, Order};
 use crate::mesh::{Mesh, Numbering};
 use crate::norm::hhj::layout::{own, slopes};
 
 /// Where the unknowns are.
 #[derive(Clone, Debug)]
 pub(super) struct Skeleton {
+    /// The order of cells and simplices: numbers of either are places in it, unless they are said to be the mesh's.
+    pub order: Order,
     /// How many unknowns a k-simplex has.
     pub widths: Vec<usize>,
     /// The first unknown of the k-simplices; last, the number of all unknowns.
@@ -22,14 +24,16 @@ pub(super) struct Skeleton {
 impl Skeleton {
     /// For u of degree p.
     pub fn new<const N: usize>(mesh: &Mesh<N>, p: usize) -> Self {
+        let order = Order::new(mesh);
         let own: Vec<usize> = (0..=N).map(|k| own(k, p)).collect();
         let numbering = Numbering::new(mesh, own.clone());
         let (mut widths, mut offsets) = (Vec::new(), vec![0]);
-        for k in 0..N {
+        for (k, layer) in order.layers.iter().enumerate() {
             widths.push(own[k] + if k == N - 1 { slopes(N, p) } else { 0 });
-            offsets.push(offsets[k] + widths[k] * mesh.count(k));
+            offsets.push(offsets[k] + widths[k] * layer.len());
         }
         Self {
+            order,
             widths,
             offsets,
             own,
@@ -48,6 +52,18 @@ impl Skeleton {
         self.offsets[k] + simplex * self.widths[k]
     }
 
+    /// The unknowns of a cell's k-simplex, by which of them it is; none if it is in ∂Ω.
+    #[inline]
+    pub fn of_cell(&self, k: usize, cell: usize, which: usize) -> std::ops::Range<usize> {
+        match self.order.layers[k].of_cell(cell)[which] {
+            CLAMPED => 0..0,
+            simplex => {
+                let first = self.first(k, simplex as usize);
+                first..first + self.widths[k]
+            }
+        }
+    }
+
     /// The unknowns of all k-simplices.
     pub fn layer<'a>(&self, k: usize, x: &'a [f64]) -> &'a [f64] {
         &x[self.offsets[k]..self.offsets[k + 1]]
@@ -58,7 +74,7 @@ impl Skeleton {
         &mut x[self.offsets[k]..self.offsets[k + 1]]
     }
 
-    /// Where in a solution entry i of a k-simplex is.
+    /// Where in a solution entry i of the mesh's k-simplex is.
     #[inline]
     fn place(&self, k: usize, simplex: usize, i: usize) -> usize {
         match i.checked_sub(self.own[k]) {
@@ -70,17 +86,17 @@ impl Skeleton {
     /// Where in a solution the bubbles of a cell are.
     pub fn bubbles(&self, cell: usize) -> std::ops::Range<usize> {
         let k = self.widths.len();
-        let first = self.numbering.global(k, cell, 0);
+        let first = self.numbering.global(k, self.order.cells[cell] as usize, 0);
         first..first + self.own[k]
     }
 
     /// The load of the unknowns: û has none.
-    pub fn gather<const N: usize>(&self, mesh: &Mesh<N>, load: &[f64]) -> Vec<f64> {
+    pub fn gather(&self, load: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; self.len()];
-        for k in 0..N {
-            for simplex in mesh.interior(k) {
+        for (k, layer) in self.order.layers.iter().enumerate() {
+            for (at, &simplex) in layer.simplices.iter().enumerate() {
                 for i in 0..self.own[k] {
-                    x[self.first(k, simplex) + i] = load[self.place(k, simplex, i)];
+                    x[self.first(k, at) + i] = load[self.place(k, simplex as usize, i)];
                 }
             }
         }
@@ -88,11 +104,11 @@ impl Skeleton {
     }
 
     /// Writes the unknowns to where a solution has them.
-    pub fn scatter<const N: usize>(&self, mesh: &Mesh<N>, x: &[f64], coefficients: &mut [f64]) {
-        for k in 0..N {
-            for simplex in mesh.interior(k) {
+    pub fn scatter(&self, x: &[f64], coefficients: &mut [f64]) {
+        for (k, layer) in self.order.layers.iter().enumerate() {
+            for (at, &simplex) in layer.simplices.iter().enumerate() {
                 for i in 0..self.widths[k] {
-                    coefficients[self.place(k, simplex, i)] = x[self.first(k, simplex) + i];
+                    coefficients[self.place(k, simplex as usize, i)] = x[self.first(k, at) + i];
                 }
             }
         }

@@ -6,9 +6,8 @@
 use super::patch::Patch;
 use super::slabs::Slabs;
 use super::stencil::{Grid, Short, Stencil};
-use crate::linalg::{Vector, apply};
+use crate::linalg::Vector;
 use crate::norm::hhj::Hhj;
-use crate::norm::hhj::element::conormal;
 use crate::norm::iterative::skeleton::Skeleton;
 use crate::parallel::for_chunks;
 use crate::simplex::{Bernstein, Points, multi_indices};
@@ -27,8 +26,10 @@ pub(super) struct Transfer<const N: usize> {
     pub grid: Grid<N>,
     /// By dimension of the simplex.
     functionals: Vec<Functional>,
-    /// The interior k-simplices by the planes of coefficients that they reach.
+    /// The k-simplices by the planes of coefficients that they reach.
     slabs: Vec<Slabs>,
+    /// The faces' unit normals, along which û is the derivative.
+    normals: Vec<Vector<Short, N>>,
 }
 
 /// How the unknowns of a k-simplex are made of a function's values and derivatives at points.
@@ -42,9 +43,9 @@ struct Functional {
 }
 
 /// A simplex on which unknowns are made.
-pub(super) struct Frame<const N: usize> {
-    pub corners: [Vector<f64, N>; N],
-    pub normal: Vector<f64, N>,
+struct Frame<const N: usize> {
+    corners: [Vector<f64, N>; N],
+    normal: Vector<f64, N>,
 }
 
 impl<const N: usize> Transfer<N> {
@@ -58,20 +59,27 @@ impl<const N: usize> Transfer<N> {
                 .map(|k| Functional::new::<N>(k, p, skeleton))
                 .collect(),
             slabs: Vec::new(),
+            normals: Vec::new(),
         };
+        let faces = &transfer.skeleton.order.layers[N - 1].simplices;
+        let normal = |&face: &u32| transfer.normal(face as usize).map(|x| x as Short);
+        transfer.normals = faces.iter().map(normal).collect();
         transfer.slabs = (0..N).map(|k| transfer.sorted(k)).collect();
         transfer
     }
 
-    /// The interior k-simplices by the planes that they reach.
+    /// The k-simplices by the planes that they reach.
     fn sorted(&self, k: usize) -> Slabs {
-        let mesh = self.hhj.mesh();
-        let span = |simplex: usize| {
-            let reached = self.reached(&self.corners(k, simplex));
-            (simplex as u32, reached.low[N - 1], reached.high[N - 1])
+        let span = |(place, &simplex): (usize, &u32)| {
+            let reached = self.reached(&self.corners(k, simplex as usize));
+            (place as u32, reached.low[N - 1], reached.high[N - 1])
         };
-        let simplices = mesh.interior(k).filter(|_| self.skeleton.widths[k] > 0);
-        Slabs::new(self.grid.sides[N - 1], simplices.map(span).collect())
+        let simplices = match self.skeleton.widths[k] {
+            0 => &[][..],
+            _ => &self.skeleton.order.layers[k].simplices,
+        };
+        let spans = simplices.iter().enumerate().map(span).collect();
+        Slabs::new(self.grid.sides[N - 1], spans)
     }
 
     /// factor · Pᵀ r.
@@ -156,11 +164,7 @@ impl<const N: usize> Transfer<N> {
                 |piece, z| {
                     let mut stencil = Stencil::new(&self.grid);
                     for (i, z) in z.chunks_exact_mut(width).enumerate() {
-                        let simplex = piece * SIMPLICES + i;
-                        if !self.hhj.mesh().is_interior(k, simplex) {
-                            continue;
-                        }
-                        let frame = self.frame(k, simplex);
+                        let frame = self.frame(k, piece * SIMPLICES + i);
                         for q in 0..functional.points.len() {
                             stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
                             let (value, gradient) = stencil.evaluate(spline);
@@ -173,30 +177,31 @@ impl<const N: usize> Transfer<N> {
         }
     }
 
-    pub fn frame(&self, k: usize, simplex: usize) -> Frame<N> {
-        let mesh = self.hhj.mesh();
-        let normal = if k + 1 == N {
-            let side = mesh.first_side(k, simplex);
-            let shape = &self.hhj.shapes()[side.cell];
-            let nu = conormal::<N>(N - side.place).into();
-            (shape.jacobian * apply(&shape.inverse, &nu)).normalize()
-        } else {
-            Vector::zeros()
-        };
+    fn frame(&self, k: usize, simplex: usize) -> Frame<N> {
+        let of_mesh = self.skeleton.order.layers[k].simplices[simplex] as usize;
         Frame {
-            corners: std::array::from_fn(|v| self.corner(k, simplex, v.min(k))),
-            normal,
+            corners: std::array::from_fn(|v| self.corner(k, of_mesh, v.min(k))),
+            normal: match k + 1 == N {
+                true => self.normals[simplex].map(f64::from),
+                false => Vector::zeros(),
+            },
         }
     }
 
-    /// A vertex of a simplex.
+    /// The unit normal of one of the mesh's faces that leaves the first of its cells.
+    pub fn normal(&self, face: usize) -> Vector<f64, N> {
+        let side = self.hhj.mesh().first_side(N - 1, face);
+        self.hhj.shape(side.cell).normal(side.place)
+    }
+
+    /// A vertex of one of the mesh's simplices.
     fn corner(&self, k: usize, simplex: usize, v: usize) -> Vector<f64, N> {
         let mesh = self.hhj.mesh();
         let points = mesh.points().expect("a lattice has points");
         points[mesh.vertices(k, simplex)[v] as usize]
     }
 
-    /// The vertices of a simplex.
+    /// The vertices of one of the mesh's simplices.
     pub fn corners(&self, k: usize, simplex: usize) -> Vec<Vector<f64, N>> {
         (0..=k).map(|v| self.corner(k, simplex, v)).collect()
     }

@@ -11,7 +11,9 @@ use super::super::transfer::Transfer;
 use super::energy::Energy;
 use super::inside::Boxes;
 use super::level::{Kind, Level, Plane};
+use crate::linalg::Vector;
 use crate::norm::hhj::cell::eliminate;
+use crate::norm::iterative::order::CLAMPED;
 use crate::parallel::for_chunks;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
@@ -24,7 +26,7 @@ struct Finest<'a, const N: usize> {
     energy: Energy,
     /// The form of a box's splines in units of the box's edge becomes that of the mesh's units.
     scale: f64,
-    /// The cells that the boxes inside do not cover, by the planes of splines that they reach.
+    /// The cells that the boxes inside do not cover.
     near: Vec<u32>,
 }
 
@@ -39,9 +41,9 @@ pub(super) fn finest<const N: usize>(transfer: &Transfer<N>) -> Level<N> {
         near: Vec::new(),
         boxes,
     };
-    let cells = 0..transfer.hhj.mesh().cell_count();
+    let cells = 0..transfer.skeleton.order.cells.len();
     finest.near = (cells.map(|cell| cell as u32))
-        .filter(|&cell| !finest.covered(cell as usize))
+        .filter(|&cell| !finest.covered(cell))
         .collect();
     let (kinds, patches) = finest.classify();
     let mut planes = planes(&transfer.grid.sides, &kinds, &patches);
@@ -75,13 +77,18 @@ pub(super) fn planes<const N: usize>(
 
 impl<const N: usize> Finest<'_, N> {
     /// Are all vertices of a cell in boxes inside?
-    fn covered(&self, cell: usize) -> bool {
-        let corners = self.transfer.corners(N, cell);
+    fn covered(&self, cell: u32) -> bool {
+        let corners = self.corners(cell);
         let inside = |corner| {
             let low = self.transfer.reached(&[corner]).low;
             self.boxes.inside(&low)
         };
         corners.into_iter().all(inside)
+    }
+
+    fn corners(&self, cell: u32) -> Vec<Vector<f64, N>> {
+        let of_mesh = self.transfer.skeleton.order.cells[cell as usize];
+        self.transfer.corners(N, of_mesh as usize)
     }
 
     /// What the rows are, and for the stored ones which splines they couple to.
@@ -90,9 +97,7 @@ impl<const N: usize> Finest<'_, N> {
         let whole = Patch::whole(&sides);
         let mut patches = vec![Patch::EMPTY; whole.len()];
         for &cell in &self.near {
-            let patch = self
-                .transfer
-                .reached(&self.transfer.corners(N, cell as usize));
+            let patch = self.transfer.reached(&self.corners(cell));
             for site in patch.sites() {
                 patches[whole.position(&site)].join(&patch);
             }
@@ -150,9 +155,7 @@ impl<const N: usize> Finest<'_, N> {
     /// Adds what the cells near ∂Ω have.
     fn add_cells(&self, planes: &mut [Plane<N>]) {
         let span = |&cell: &u32| {
-            let reached = self
-                .transfer
-                .reached(&self.transfer.corners(N, cell as usize));
+            let reached = self.transfer.reached(&self.corners(cell));
             (cell, reached.low[N - 1], reached.high[N - 1])
         };
         let whole = Patch::whole(&self.transfer.grid.sides);
@@ -160,7 +163,7 @@ impl<const N: usize> Finest<'_, N> {
         let slabs = Slabs::new(planes.len(), self.near.iter().map(span).collect());
         slabs.add_up(planes, 1, |cells, planes, first| {
             for &cell in cells {
-                let (patch, form) = self.of_cell(cell as usize);
+                let (patch, form) = self.of_cell(cell);
                 for (site, form) in patch.sites().zip(form.chunks_exact(patch.len())) {
                     let plane = &mut planes[site[N - 1] - first];
                     let at = whole.position(&site) % unit;
@@ -173,14 +176,14 @@ impl<const N: usize> Finest<'_, N> {
     }
 
     /// The form of the splines that reach a cell.
-    fn of_cell(&self, cell: usize) -> (Patch<N>, Vec<f64>) {
+    fn of_cell(&self, cell: u32) -> (Patch<N>, Vec<f64>) {
         let Transfer {
             hhj,
             skeleton,
             grid,
             ..
         } = self.transfer;
-        let patch = self.transfer.reached(&self.transfer.corners(N, cell));
+        let patch = self.transfer.reached(&self.corners(cell));
         let part = Grid {
             sides: patch.sides(),
             lower: std::array::from_fn::<f64, N, _>(|i| {
@@ -190,16 +193,17 @@ impl<const N: usize> Finest<'_, N> {
             density: grid.density,
         };
         let (layout, splines) = (hhj.layout(), patch.len());
-        let mut energy = hhj.energy(cell);
+        let cell = cell as usize;
+        let mut energy = hhj.energy(skeleton.order.cells[cell] as usize);
         eliminate(&mut energy, layout.bubbles);
         let outer = layout.len - layout.bubbles;
         let mut rows = vec![0.0; outer * splines];
         for block in &layout.blocks {
-            let simplex = hhj.mesh().simplices_of(cell, block.k)[block.place] as usize;
-            if block.width > 0 && hhj.mesh().is_interior(block.k, simplex) {
+            let simplex = skeleton.order.layers[block.k].of_cell(cell)[block.place];
+            if block.width > 0 && simplex != CLAMPED {
                 let begin = (block.start - layout.bubbles) * splines;
                 let rows = &mut rows[begin..begin + skeleton.widths[block.k] * splines];
-                self.transfer.rows(block.k, simplex, &part, rows);
+                self.transfer.rows(block.k, simplex as usize, &part, rows);
             }
         }
         let condensed = DMatrix::from_fn(outer, outer, |i, j| {

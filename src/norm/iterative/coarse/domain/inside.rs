@@ -47,20 +47,21 @@ impl<const N: usize> Boxes<N> {
 
     /// Marks the boxes that meet both the least box around a face and the face's plane.
     fn cut(&mut self, transfer: &Transfer<N>, face: usize) {
-        let (grid, frame) = (&transfer.grid, transfer.frame(N - 1, face));
-        let reached = transfer.reached(&frame.corners);
+        let (grid, normal) = (&transfer.grid, transfer.normal(face));
+        let corners = transfer.corners(N - 1, face);
+        let reached = transfer.reached(&corners);
         let half = grid.density.map(|density| 0.5 / density);
         // How far a box's corners are from its centre, along the normal.
-        let width: f64 = (0..N).map(|i| frame.normal[i].abs() * half[i]).sum();
+        let width: f64 = (0..N).map(|i| normal[i].abs() * half[i]).sum();
         let boxes = Patch {
             low: reached.low,
             high: reached.high.map(|end| end - 3),
         };
         for site in boxes.sites() {
             let centre = Vector::from_fn(|i, _| {
-                grid.lower[i] + (site[i] as f64 + 0.5) / grid.density[i] - frame.corners[0][i]
+                grid.lower[i] + (site[i] as f64 + 0.5) / grid.density[i] - corners[0][i]
             });
-            if frame.normal.dot(&centre).abs() <= width * (1.0 + 1e-6) {
+            if normal.dot(&centre).abs() <= width * (1.0 + 1e-6) {
                 self.places[self.whole.position(&site)] = Place::Cut;
             }
         }
@@ -69,8 +70,8 @@ impl<const N: usize> Boxes<N> {
     /// Goes from box to box, beginning at the centres of the cells.
     fn flood(&mut self, transfer: &Transfer<N>) {
         let mut waiting: Vec<[usize; N]> = Vec::new();
-        for shape in transfer.hhj.shapes() {
-            waiting.push(transfer.reached(&[shape.centre]).low);
+        for cell in 0..transfer.hhj.mesh().cell_count() {
+            waiting.push(transfer.reached(&[transfer.hhj.shape(cell).centre]).low);
             while let Some(site) = waiting.pop() {
                 let place = &mut self.places[self.whole.position(&site)];
                 if *place != Place::Unknown {

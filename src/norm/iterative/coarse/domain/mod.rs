@@ -43,8 +43,9 @@ pub(super) fn background<const N: usize>(hhj: &Hhj<N>) -> Result<Grid<N>, Error>
         upper = upper.sup(x);
     }
     // The reference simplex has 1/N! of the volume of its cube.
-    let volume: f64 = hhj.shapes().iter().map(|shape| shape.volume).sum();
-    let mean = (volume / hhj.shapes().len() as f64).powf(1.0 / N as f64);
+    let cells = hhj.mesh().cell_count();
+    let volume: f64 = (0..cells).map(|cell| hhj.shape(cell).volume).sum();
+    let mean = (volume / cells as f64).powf(1.0 / N as f64);
     let density = hhj.space().degree().max(2) as f64 / (COARSENESS * mean);
     let boxes = (upper - lower).map(|extent| (extent * density).ceil().max(1.0));
     // The domain is in the middle.
