@@ -67,17 +67,20 @@ fn hessian<const N: usize>(
     sigma: &Regge<f64, N>,
 ) -> Vec<f64> {
     let (hats, rules) = (Lagrange::new(g.space().mesh(), 1), at.rules(N));
-    let three = g
-        .coefficients()
-        .iter()
-        .zip(rho.coefficients())
-        .zip(sigma.coefficients());
-    let moved = three
-        .map(|((g, r), s)| HyperDual64::new(*g, *r, *s, 0.0))
-        .collect();
-    let moved = function(g.space(), moved);
-    let sums = distributional_curvature(&moved, &hats, &rules);
+    let sums = distributional_curvature(&moved_twice(g, rho, sigma), &hats, &rules);
     sums.hinges.iter().map(|x| x.eps1eps2).collect()
+}
+
+/// g+sρ+tσ to first order in s and in t.
+fn moved_twice<const N: usize>(
+    g: &Regge<f64, N>,
+    rho: &Regge<f64, N>,
+    sigma: &Regge<f64, N>,
+) -> Regge<HyperDual64, N> {
+    let rates = rho.coefficients().iter().zip(sigma.coefficients());
+    let three = g.coefficients().iter().zip(rates);
+    let moved = three.map(|(g, (r, s))| HyperDual64::new(*g, *r, *s, 0.0));
+    function(g.space(), moved.collect())
 }
 
 impl OnMesh for M13 {
@@ -91,13 +94,17 @@ impl OnMesh for M13 {
             \operatorname{Tr}(\sigma|_S)\omega_S",
         sides: "Left: the functionals over dual and hyper-dual numbers: dihedral angles. Right: normals and conormals of the \
             flat metric, no angle. With the printed sign of τ the second variation comes out negated. Along a path from δ: \
-            Taylor's formula with the remainder as an integral, where the volumes' second derivatives enter as well.",
+            Taylor's formula with the remainder as an integral, where Θ_S is not 0 and twice the volumes' second derivative, \
+            (½Tr(σ|_S)² − |σ|_S|²)ω_S, enters as well, by hyper-dual numbers from the edges' lengths; −½Tr(σ|_S)²ω_S, which is the same for an edge, is a forgery \
+            when N = 4.",
     };
     const JUDGEMENT: Judgement = ROUNDING;
-    const DIMENSIONS: &'static [usize] = &[3];
+    const DIMENSIONS: &'static [usize] = &[3, 4];
 
-    fn settings(_: usize, quick: bool) -> Vec<Setting> {
-        grid(&[Shape::Torus(3)], &[2], if quick { 1 } else { 64 })
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        // The hinges are 189 edges in dimension 3, 4050 triangles in dimension 4.
+        let times = if dimension == 3 { 64 } else { 8 };
+        grid(&[Shape::Torus(3)], &[2], if quick { 1 } else { times })
     }
 
     fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
@@ -143,35 +150,56 @@ impl OnMesh for M13 {
 /// The second variation along a finite path: f(δ+σ) = ∫₀¹ (1−t) f''(δ+tσ) dt, as f and f' vanish at δ.
 pub struct FromFlat;
 
-impl FromFlat {
-    /// −½ΣΣ⟦σ(n,τ)⟧Tr(σ|_S)ω_S = ΣΘ̇ Tr(σ|_S)ω_S and 2ΣΘV̈ = −½ΣΘ Tr(σ|_S)²ω_S at g: an edge has the length √q, q its
-    /// only coefficient.
-    fn second<const N: usize>(at: &Setting, g: &Regge<f64, N>, sigma: &Regge<f64, N>) -> [f64; 2] {
-        let (mesh, space) = (g.space().mesh(), g.space());
-        let bent = hinges::<f64, N>(g).into_iter().map(|h| {
-            let side = mesh.first_side(N - 2, h.hinge);
-            let dof = space.cell_dof(side.cell, side.place, 0);
-            let trace = sigma.coefficients()[dof] / g.coefficients()[dof];
-            -0.5 * h.defect * trace * trace * h.volume
-        });
-        [bilinear(at, g, sigma, sigma), bent.sum()]
+const EDGES: &str = "hinges are edges when N = 3";
+
+/// f'' at g, and what might be taken for it.
+#[derive(Clone, Copy, Default)]
+struct Second {
+    /// −½ΣΣ⟦σ(n,τ)⟧Tr(σ|_S)ω_S = ΣΘ̇ Tr(σ|_S)ω_S.
+    turn: f64,
+    /// 2ΣΘV̈ = ΣΘ(½Tr(σ|_S)² − |σ|_S|²)ω_S.
+    bend: f64,
+    /// −½ΣΘ Tr(σ|_S)²ω_S: the same for edges, whose |σ|_S| is |Tr(σ|_S)|, and not for hinges of any other dimension.
+    of_edges: f64,
+    /// ½ΣΘ Tr(σ|_S)²ω_S.
+    of_traces: f64,
+}
+
+impl Second {
+    fn at<const N: usize>(at: &Setting, g: &Regge<f64, N>, sigma: &Regge<f64, N>) -> Self {
+        let mut sums = Self {
+            turn: bilinear(at, g, sigma, sigma),
+            ..Self::default()
+        };
+        for h in hinges::<HyperDual64, N>(&moved_twice(g, sigma, sigma)) {
+            let (theta, v) = (h.defect.re, h.volume);
+            // V̇ = ½Tr(σ|_S)V.
+            let squared = 2.0 * theta * v.eps1 * v.eps2 / v.re;
+            sums.bend += 2.0 * theta * v.eps1eps2;
+            sums.of_edges -= squared;
+            sums.of_traces += squared;
+        }
+        sums
     }
 
-    /// The integrals of both by so many Gauss points.
-    fn integrals<const N: usize>(
-        at: &Setting,
-        ends: [&Regge<f64, N>; 2],
-        points: usize,
-    ) -> [f64; 2] {
+    fn add(&mut self, weight: f64, other: Self) {
+        self.turn += weight * other.turn;
+        self.bend += weight * other.bend;
+        self.of_edges += weight * other.of_edges;
+        self.of_traces += weight * other.of_traces;
+    }
+}
+
+impl FromFlat {
+    /// ∫(1−t)f''(δ+tσ) dt by so many Gauss points.
+    fn integrals<const N: usize>(at: &Setting, ends: [&Regge<f64, N>; 2], points: usize) -> Second {
         let [from, to] = ends;
         let sigma = combination(-1.0, from, 1.0, to);
-        let mut sums = [0.0; 2];
+        let mut sums = Second::default();
         let (nodes, weights) = gauss_legendre(points);
         for (t, w) in nodes.into_iter().zip(weights) {
-            let second = Self::second(at, &combination(1.0 - t, from, t, to), &sigma);
-            for (sum, x) in sums.iter_mut().zip(second) {
-                *sum += w * (1.0 - t) * x;
-            }
+            let g = combination(1.0 - t, from, t, to);
+            sums.add(w * (1.0 - t), Second::at(at, &g, &sigma));
         }
         sums
     }
@@ -195,7 +223,7 @@ impl OnMesh for FromFlat {
         let to = near_flat(&regge, &draw.numbers(regge.len()), 0.05);
         let rules = at.rules(N);
         let sums = distributional_curvature(&to, &hats, &rules);
-        let [turn, bend] = Self::integrals(at, [&from, &to], POINTS_IN_T);
+        let second = Self::integrals(at, [&from, &to], POINTS_IN_T);
         let size: f64 = hinges::<f64, N>(&to)
             .iter()
             .map(|h| (h.defect * h.volume).abs())
@@ -203,13 +231,18 @@ impl OnMesh for FromFlat {
         let names = ["−½∫(1−t)ΣΣ⟦σ(n,τ)⟧Tr(σ|_S) dt", "2∫(1−t)ΣΘV̈ dt"];
         let mut equation = Equation::new("from the flat metric")
             .left("⟨Rω(δ+σ),1⟩", sums.hinges.iter().sum::<f64>())
-            .right(names[0], turn)
-            .right(names[1], bend)
+            .right(names[0], second.turn)
+            .right(names[1], second.bend)
             .magnitude(size)
-            .forge("the printed sign of τ", names[0], -turn);
+            .forge("the printed sign of τ", names[0], -second.turn)
+            .forge("V̈ without |σ|_S|²", names[1], second.of_traces)
+            .forge("the V̈ of an edge", names[1], second.of_edges)
+            .vacuous(N == 3, EDGES);
         for (points, name) in too_few(at, N) {
             let coarse = Self::integrals(at, [&from, &to], points);
-            let both = names.into_iter().zip(coarse.map(|x| vec![x]));
+            let both = names
+                .into_iter()
+                .zip([vec![coarse.turn], vec![coarse.bend]]);
             equation = equation.forge_terms(name, both.collect()).somewhere();
         }
         vec![equation]
