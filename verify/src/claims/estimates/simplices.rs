@@ -16,6 +16,7 @@ pub struct I18;
 struct Shape {
     inradius: f64,
     diameter: f64,
+    least_edge: f64,
     least_height: f64,
     least_sine: f64,
 }
@@ -28,7 +29,7 @@ impl Shape {
         let inverse_heights = each(&nu, |nu| {
             contract(nu, &apply(&inverse, nu)).to_real().sqrt()
         });
-        let (mut diameter, mut least_sine) = (0.0_f64, 1.0_f64);
+        let (mut diameter, mut least_edge, mut least_sine) = (0.0_f64, f64::INFINITY, 1.0_f64);
         for a in 0..=N {
             for b in 0..a {
                 let (sin, cos) = Corner::new(formulas, &inverse, det, [&nu[a], &nu[b]]).dihedral();
@@ -38,12 +39,15 @@ impl Shape {
                     let at = |v: usize| if k + 1 == v { B::one() } else { B::zero() };
                     at(a) - at(b)
                 });
-                diameter = diameter.max(form(g, &edge, &edge).to_real().sqrt());
+                let length = form(g, &edge, &edge).to_real().sqrt();
+                diameter = diameter.max(length);
+                least_edge = least_edge.min(length);
             }
         }
         Self {
             inradius: 1.0 / inverse_heights.iter().sum::<f64>(),
             diameter,
+            least_edge,
             least_height: 1.0 / inverse_heights.iter().fold(0.0, |a: f64, b| a.max(*b)),
             least_sine,
         }
@@ -74,30 +78,41 @@ impl Pointwise for I18 {
         title: "Dihedral angles are bounded by the shape of the simplex",
         statement: r"\sin\theta_{ST} \ge \frac{2\rho_T}{h_T},\qquad 2\rho_T \le \text{every height}",
         sides: "Left: inradius and diameter, from the lengths of dλ_f and of edges. Right: the library's dihedral \
-            angles. The constant 2 is sharp: 2.01 is refuted by slender simplices.",
+            angles. Both constants are sharp: 2.01 is refuted by slender simplices.",
     };
     const OVER: Over = Over::Ordered;
     const EXCUSES: Excuses = Excuses::one_method("an inequality: a finite field has no order");
 
     fn equations<S: Timed, const N: usize>(i: &Instance<S, N>) -> Vec<Equation<S::Base>> {
-        let bound = |name, shape: Shape| {
-            let ratio = |c: f64| S::Base::from_real(c * shape.inradius / shape.diameter);
+        let real = S::Base::from_real;
+        let angles = |name, shape: &Shape| {
             Equation::at_most(name)
-                .left("2ρ/h", ratio(2.0))
-                .right("least sin θ", S::Base::from_real(shape.least_sine))
-                .forge("no sin θ", "least sin θ", S::Base::from_real(0.0))
+                .left("2ρ/h", real(2.0 * shape.inradius / shape.diameter))
+                .right("least sin θ", real(shape.least_sine))
+        };
+        let heights = |name, shape: &Shape| {
+            Equation::at_most(name)
+                .left("2ρ", real(2.0 * shape.inradius))
+                .right("least height", real(shape.least_height))
         };
         let random = Shape::new(&i.formulas, &i.still0().g);
-        let (twice, height) = (2.0 * random.inradius, random.least_height);
         let thin = Shape::new(&i.formulas, &slender::<S::Base, N>());
-        let sharper = S::Base::from_real(2.01 * thin.inradius / thin.diameter);
+        let of_edge = 2.0 * thin.inradius / thin.least_edge;
+        let sharper = 2.01 * thin.inradius;
+        // sin ½θ, with sin θ small.
+        let half = (0.5 * thin.least_sine.asin()).sin();
         vec![
-            bound("random simplex", random),
-            bound("slender simplex", thin).forge("2.01 for 2", "2ρ/h", sharper),
-            Equation::at_most("heights")
-                .left("2ρ", S::Base::from_real(twice))
-                .right("least height", S::Base::from_real(height))
-                .forge("no height", "least height", S::Base::from_real(0.0)),
+            angles("random simplex", &random),
+            angles("slender simplex", &thin)
+                .forge("2.01 for 2", "2ρ/h", real(sharper / thin.diameter))
+                .forge("the shortest edge for h", "2ρ/h", real(of_edge))
+                .forge("half of the angle", "least sin θ", real(half)),
+            heights("heights", &random),
+            heights("heights of the slender simplex", &thin).forge(
+                "2.01 for 2",
+                "2ρ",
+                real(sharper),
+            ),
         ]
     }
 }
