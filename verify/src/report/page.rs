@@ -106,6 +106,10 @@ fn index(report: &Report, rows: &[Row<'_>], records: &[&Record]) -> Page {
     }
 }
 
+/// Of two rows for one dimension and method.
+const STRETCHED: &str = "\nOf two rows for one N by one method the second is for cells that are stretched 1 : 30, whose metrics have \
+components as of one with eigenvalues 1 and 1/900: their inverses have fewer digits.\n";
+
 fn page(row: &Row<'_>, record: &Record) -> String {
     let statement = record
         .statement
@@ -139,6 +143,9 @@ fn page(row: &Row<'_>, record: &Record) -> String {
             allowed(e),
             verdict(e.verdict)
         );
+    }
+    if row.has_stretched() {
+        text += STRETCHED;
     }
     proofs(&mut text, row);
     degrees(&mut text, row);

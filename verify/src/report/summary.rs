@@ -46,6 +46,16 @@ impl<'a> Row<'a> {
         all
     }
 
+    /// Is there a dimension with two entries by one method?
+    pub fn has_stretched(&self) -> bool {
+        let keys: Vec<_> = (self.entries.iter())
+            .map(|e| (e.dimension, &e.method))
+            .collect();
+        keys.iter()
+            .enumerate()
+            .any(|(k, key)| keys[..k].contains(key))
+    }
+
     /// How many random instances, over all entries; the points of a proof are none.
     pub fn cases(&self) -> usize {
         let drawn = self.entries.iter().filter(|e| e.proof.is_none());

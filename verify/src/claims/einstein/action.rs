@@ -1,7 +1,7 @@
 //! M14: Regge's action.
 
 use crate::harness::{Draw, Equation, Judgement, Method, Record, Setting, Shape, grid};
-use crate::stage::fields::metric;
+use crate::stage::fields::wild;
 use crate::stage::mesh::{OnMesh, ROUNDING, minus, times};
 use crate::stage::reference::{against_hats, case_of, cases, hinges};
 use regge_curvature::functional::distributional_curvature;
@@ -30,7 +30,7 @@ impl OnMesh for M14 {
     fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
         let mesh = at.shape.mesh::<N>();
         let regge = ReggeSpace::new(&mesh, 0);
-        let g = metric(&regge, draw);
+        let g = wild(&regge, draw, at.noise);
         let hats = Lagrange::new(&mesh, 1);
         let sums = distributional_curvature(&g, &hats, &at.rules(N));
         let size: f64 = hinges::<f64, N>(&g).iter().map(|h| h.volume).sum();

@@ -9,6 +9,7 @@ mod smooth;
 mod traces;
 
 use crate::harness::Catalogue;
+use crate::stage::mesh::Stretched;
 use crate::stage::{mesh, point};
 
 /// Adds those that hold at a point, in dimension N.
@@ -31,4 +32,5 @@ pub(super) fn on_meshes<const N: usize>(all: &mut Catalogue) {
     mesh::add::<bianchi::M18, N>(all);
     mesh::add::<bianchi::Invariance, N>(all);
     mesh::add::<single_valued::M20, N>(all);
+    mesh::add::<Stretched<single_valued::M20, 3>, N>(all);
 }

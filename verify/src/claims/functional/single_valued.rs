@@ -1,7 +1,7 @@
 //! D13, M20: what is single-valued where cells meet.
 
 use crate::harness::{Draw, Equation, Ground, Judgement, Record, Setting, Timed};
-use crate::stage::fields::{Regge, Seen, both_sides, metric, variation};
+use crate::stage::fields::{Regge, Seen, both_sides, variation, wild};
 use crate::stage::mesh::{FaceTerms, HingeTerms, OnMesh, ROUNDING, at_points, torn};
 use crate::stage::point::{Instance, Over, Pointwise};
 use regge_curvature::density::{Corner, Normal};
@@ -180,8 +180,8 @@ impl OnMesh for M20 {
         let apart = torn(&mesh);
         let regge = ReggeSpace::new(&mesh, at.degree);
         let loose = ReggeSpace::new(&apart, at.degree);
-        let (g, sigma) = (metric(&regge, draw), variation(&regge, draw));
-        let (torn_g, torn_sigma) = (metric(&loose, draw), variation(&loose, draw));
+        let (g, sigma) = (wild(&regge, draw, at.noise), variation(&regge, draw));
+        let (torn_g, torn_sigma) = (wild(&loose, draw, at.noise), variation(&loose, draw));
         let mut all = reversed_traces::<N>(at, &mesh, &g, [&sigma, &torn_sigma]);
         all.extend(measures::<N>(at, &mesh, [&g, &torn_g], &sigma));
         all

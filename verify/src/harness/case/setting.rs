@@ -14,6 +14,8 @@ pub enum Shape {
     Cube(usize),
     /// (−1, 1)^N with this many cubes a side, their vertices and midpoints by Delaunay: hinges of other valences.
     Delaunay(usize),
+    /// A mesh of few cells, pressed together in a direction that is none of its edges', to heights of a thirtieth of the edges.
+    Stretched,
     /// The flat torus with this many cubes a side.
     Torus(usize),
     /// ∂Δ^{N+1}.
@@ -27,7 +29,7 @@ impl Shape {
     fn size(self) -> usize {
         match self {
             Self::Single => 0,
-            Self::Alfeld => 1,
+            Self::Alfeld | Self::Stretched => 1,
             Self::Sphere => 2,
             Self::Cube(side) | Self::Torus(side) | Self::Delaunay(side) => 2 + side,
             Self::Oracle(number) => number,

@@ -1,9 +1,11 @@
 //! Claims about fields on a mesh.
 
+use super::cases::{STRETCHED, in_stretched_cells};
 use crate::harness::{
     Catalogue, Check, Draw, Equation, Excuses, Judgement, Kind, Method, OnMeshes, Record, Setting,
     has,
 };
+use std::marker::PhantomData;
 
 /// A statement about fields on a mesh.
 pub trait OnMesh: 'static {
@@ -23,6 +25,24 @@ pub trait OnMesh: 'static {
 
     /// The equations of one case.
     fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>>;
+}
+
+/// A claim that holds at every point, in stretched cells: for metrics of all degrees below this number.
+pub struct Stretched<C, const DEGREES: usize>(PhantomData<fn() -> C>);
+
+impl<C: OnMesh, const DEGREES: usize> OnMesh for Stretched<C, DEGREES> {
+    const RECORD: Record = C::RECORD;
+    const METHOD: Method = C::METHOD;
+    const JUDGEMENT: Judgement = STRETCHED;
+    const DIMENSIONS: &'static [usize] = C::DIMENSIONS;
+
+    fn settings(dimension: usize, quick: bool) -> Vec<Setting> {
+        in_stretched_cells(dimension, DEGREES, quick)
+    }
+
+    fn equations<const N: usize>(at: &Setting, draw: &mut Draw) -> Vec<Equation<f64>> {
+        C::equations::<N>(at, draw)
+    }
 }
 
 /// Adds a claim in dimension N, if it is meaningful there. The condition is a constant, so that nothing is compiled for

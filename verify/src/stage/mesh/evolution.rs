@@ -5,7 +5,7 @@
 //! t by Gauss' rule. Every term of the claim is integrated for itself, so that its forgeries are those of the claim.
 
 use super::cases::QUADRATURE;
-use super::claim::{OnMesh, add};
+use super::claim::{OnMesh, Stretched, add};
 use super::pair::{Pair, spaces};
 use super::sums::{Three, rates, values};
 use crate::harness::{Catalogue, Draw, Equation, Judgement, Method, Record, Setting, Shape, each};
@@ -73,6 +73,12 @@ pub trait Evolution: 'static {
 pub fn add_evolution<C: Evolution, const N: usize>(all: &mut Catalogue) {
     add::<ByAd<C>, N>(all);
     add::<ByPath<C>, N>(all);
+}
+
+/// Adds a statement that holds at every point in stretched cells, by AD, for metrics of all degrees below this number.
+#[inline(always)]
+pub fn add_stretched<C: Evolution, const DEGREES: usize, const N: usize>(all: &mut Catalogue) {
+    add::<Stretched<ByAd<C>, DEGREES>, N>(all);
 }
 
 /// A functional of g, as data.

@@ -10,8 +10,10 @@ mod sums;
 mod terms;
 
 pub use cases::{QUADRATURE, ROUNDING, at_points, everywhere, on_one_simplex, orders};
-pub use claim::{OnMesh, add};
-pub use evolution::{ByPath, Evolution, Moving, POINTS_IN_T, add_evolution, too_few};
+pub use claim::{OnMesh, Stretched, add};
+pub use evolution::{
+    ByPath, Evolution, Moving, POINTS_IN_T, add_evolution, add_stretched, too_few,
+};
 pub use pair::{Pair, Where, spaces};
 pub use reasons::{FLAT, NO_G, NO_II, POINTS};
 pub use shapes::torn;
