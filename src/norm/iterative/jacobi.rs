@@ -1,6 +1,5 @@
 //! The diagonal blocks of the condensed operator, one a simplex, inverted.
 
-use super::order::CLAMPED;
 use super::skeleton::Skeleton;
 use crate::Error;
 use crate::mesh::Mesh;
@@ -9,7 +8,7 @@ use crate::norm::hhj::cell::eliminate;
 use crate::parallel::{for_chunks, in_order};
 use std::sync::Arc;
 
-/// A_ss⁻¹ for each simplex s. Single precision is enough for a preconditioner: the rounding is one of every
+/// A_ss⁻¹ for each interior simplex s. Single precision is enough for a preconditioner: the rounding is one of every
 /// entry, relative to itself.
 #[derive(Clone, Debug)]
 pub(super) struct BlockJacobi {
@@ -66,7 +65,7 @@ fn diagonal<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Vec<Vec<f64>> 
     let (layout, order) = (hhj.layout(), &skeleton.order);
     let sizes: Vec<usize> = skeleton.widths.iter().map(|&w| packed(w)).collect();
     let mut sums: Vec<Vec<f64>> = (0..N)
-        .map(|k| vec![0.0; sizes[k] * order.layers[k].len()])
+        .map(|k| vec![0.0; sizes[k] * order.layers[k].free])
         .collect();
     let blocks = |cell: usize| {
         let mut energy = hhj.energy(order.cells[cell] as usize);
@@ -84,9 +83,8 @@ fn diagonal<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Vec<Vec<f64>> 
         for block in &layout.blocks {
             let (here, rest) = from.split_at(sizes[block.k]);
             from = rest;
-            let simplex = order.layers[block.k].of_cell(cell)[block.place];
-            if simplex != CLAMPED {
-                let to = &mut sums[block.k][simplex as usize * here.len()..];
+            if let Some(simplex) = order.layers[block.k].free_of_cell(cell, block.place) {
+                let to = &mut sums[block.k][simplex * here.len()..];
                 for (to, a) in to.iter_mut().zip(here) {
                     *to += a;
                 }

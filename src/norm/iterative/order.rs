@@ -4,9 +4,6 @@
 use crate::linalg::Vector;
 use crate::mesh::Mesh;
 
-/// In place of a simplex in ∂Ω, which has no unknowns.
-pub(super) const CLAMPED: u32 = u32::MAX;
-
 /// The cells and simplices of a mesh with points, by their places in the solver's order.
 #[derive(Clone, Debug)]
 pub(super) struct Order {
@@ -16,12 +13,14 @@ pub(super) struct Order {
     pub layers: Vec<Layer>,
 }
 
-/// The interior k-simplices.
+/// The k-simplices, those in ∂Ω last.
 #[derive(Clone, Debug)]
 pub(super) struct Layer {
     /// The mesh's numbers.
     pub simplices: Vec<u32>,
-    /// Cell by cell, the places of its k-simplices in `simplices`, or [`CLAMPED`].
+    /// How many are interior.
+    pub free: usize,
+    /// Cell by cell, the places of its k-simplices in `simplices`.
     of_cell: Vec<u32>,
     /// How many a cell has.
     per_cell: usize,
@@ -41,21 +40,28 @@ impl Order {
 impl Layer {
     fn new<const N: usize>(mesh: &Mesh<N>, k: usize, cells: &[u32]) -> Self {
         let per_cell = mesh.simplices_of(0, k).len();
-        let mut places = vec![CLAMPED; mesh.count(k)];
-        let (mut simplices, mut of_cell) = (Vec::new(), Vec::with_capacity(cells.len() * per_cell));
-        for &cell in cells {
-            for &simplex in mesh.simplices_of(cell as usize, k) {
-                let place = &mut places[simplex as usize];
-                if *place == CLAMPED && mesh.is_interior(k, simplex as usize) {
-                    *place = simplices.len() as u32;
-                    simplices.push(simplex);
+        let (mut places, mut simplices) = (vec![u32::MAX; mesh.count(k)], Vec::new());
+        let mut free = 0;
+        for interior in [true, false] {
+            for &cell in cells {
+                for &simplex in mesh.simplices_of(cell as usize, k) {
+                    let place = &mut places[simplex as usize];
+                    if *place == u32::MAX && mesh.is_interior(k, simplex as usize) == interior {
+                        *place = simplices.len() as u32;
+                        simplices.push(simplex);
+                    }
                 }
-                of_cell.push(*place);
             }
+            free = if interior { simplices.len() } else { free };
         }
+        let of_cells = cells
+            .iter()
+            .map(|&cell| mesh.simplices_of(cell as usize, k));
+        let of_cell: Vec<u32> = of_cells.flatten().map(|&s| places[s as usize]).collect();
         let (offsets, entries) = stars(&of_cell, simplices.len());
         Self {
             simplices,
+            free,
             of_cell,
             per_cell,
             offsets,
@@ -63,9 +69,9 @@ impl Layer {
         }
     }
 
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        self.simplices.len()
+    /// How many a cell has.
+    pub fn per_cell(&self) -> usize {
+        self.per_cell
     }
 
     /// The places of a cell's k-simplices.
@@ -74,29 +80,45 @@ impl Layer {
         &self.of_cell[cell * self.per_cell..(cell + 1) * self.per_cell]
     }
 
+    /// One of a cell's simplices, if it is interior.
+    #[inline]
+    pub fn free_of_cell(&self, cell: usize, which: usize) -> Option<usize> {
+        let simplex = self.of_cell(cell)[which] as usize;
+        (simplex < self.free).then_some(simplex)
+    }
+
+    /// The first cell that contains a simplex, and which of its simplices it is.
+    #[inline]
+    pub fn first(&self, place: usize) -> (usize, usize) {
+        self.split(self.entries[self.offsets[place] as usize])
+    }
+
+    #[inline]
+    fn split(&self, entry: u32) -> (usize, usize) {
+        let per_cell = self.per_cell as u32;
+        ((entry / per_cell) as usize, (entry % per_cell) as usize)
+    }
+
     /// The cells that contain a simplex, ascending, with which of their simplices it is.
     #[inline]
     pub fn star(&self, place: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
         let range = self.offsets[place] as usize..self.offsets[place + 1] as usize;
-        let per_cell = self.per_cell as u32;
-        let split = move |&entry: &u32| ((entry / per_cell) as usize, (entry % per_cell) as usize);
-        self.entries[range].iter().map(split)
+        self.entries[range].iter().map(|&entry| self.split(entry))
     }
 }
 
 /// For each of so many numbers the places of a list at which it stands, in compressed rows.
 fn stars(list: &[u32], count: usize) -> (Vec<u32>, Vec<u32>) {
     let mut offsets = vec![0; count + 1];
-    let known = || list.iter().enumerate().filter(|(_, s)| **s != CLAMPED);
-    for (_, &s) in known() {
+    for &s in list {
         offsets[s as usize + 1] += 1;
     }
     for s in 0..count {
         offsets[s + 1] += offsets[s];
     }
     let mut next = offsets.clone();
-    let mut entries = vec![0; offsets[count] as usize];
-    for (i, &s) in known() {
+    let mut entries = vec![0; list.len()];
+    for (i, &s) in list.iter().enumerate() {
         entries[next[s as usize] as usize] = i as u32;
         next[s as usize] += 1;
     }
@@ -135,40 +157,35 @@ mod tests {
     use super::*;
     use crate::mesh::SplitMix64;
 
-    /// Every cell and every interior simplex has one place, and those of a cell and a star's are the mesh's.
+    /// Every cell and every simplex has one place, the interior ones before the others; a cell's simplices and a simplex' cells are
+    /// the mesh's.
     #[test]
     fn nothing_is_lost() {
         let mesh = Mesh::<3>::cube(3).unwrap().perturbed(0.08, 5).unwrap();
         let order = Order::new(&mesh);
-        let mut cells = order.cells.clone();
-        cells.sort_unstable();
-        assert!(
-            cells
-                .iter()
-                .enumerate()
-                .all(|(i, &cell)| i == cell as usize)
-        );
-        assert_eq!(cells.len(), mesh.cell_count());
+        let sorted = |list: &[u32]| {
+            let mut sorted: Vec<usize> = list.iter().map(|&s| s as usize).collect();
+            sorted.sort_unstable();
+            sorted
+        };
+        assert!(sorted(&order.cells).into_iter().eq(0..mesh.cell_count()));
         for (k, layer) in order.layers.iter().enumerate() {
-            let mut simplices: Vec<usize> = layer.simplices.iter().map(|&s| s as usize).collect();
-            simplices.sort_unstable();
-            assert!(simplices.into_iter().eq(mesh.interior(k)));
+            assert!(sorted(&layer.simplices).into_iter().eq(0..mesh.count(k)));
+            let free = &layer.simplices[..layer.free];
+            assert!(sorted(free).into_iter().eq(mesh.interior(k)));
             for (at, &cell) in order.cells.iter().enumerate() {
-                let of_mesh = mesh.simplices_of(cell as usize, k);
-                for (&place, &simplex) in layer.of_cell(at).iter().zip(of_mesh) {
-                    match mesh.is_interior(k, simplex as usize) {
-                        true => assert_eq!(layer.simplices[place as usize], simplex),
-                        false => assert_eq!(place, CLAMPED),
-                    }
-                }
+                let places = layer.of_cell(at).iter();
+                let simplices = places.map(|&place| layer.simplices[place as usize]);
+                assert!(simplices.eq(mesh.simplices_of(cell as usize, k).iter().copied()));
             }
-            for place in 0..layer.len() {
+            for (place, &simplex) in layer.simplices.iter().enumerate() {
+                assert_eq!(layer.star(place).next(), Some(layer.first(place)));
                 let found = layer
                     .star(place)
                     .map(|(at, i)| (order.cells[at] as usize, i));
                 let mut found: Vec<_> = found.collect();
                 found.sort_unstable();
-                let star = mesh.star(k, layer.simplices[place] as usize);
+                let star = mesh.star(k, simplex as usize);
                 assert!(
                     found
                         .into_iter()

@@ -2,7 +2,7 @@
 //!
 //! All k-simplices have blocks of one width, in the solver's order: first the vertices' blocks, then the edges', and so on.
 
-use super::order::{CLAMPED, Order};
+use super::order::Order;
 use crate::mesh::{Mesh, Numbering};
 use crate::norm::hhj::layout::{own, slopes};
 
@@ -30,7 +30,7 @@ impl Skeleton {
         let (mut widths, mut offsets) = (Vec::new(), vec![0]);
         for (k, layer) in order.layers.iter().enumerate() {
             widths.push(own[k] + if k == N - 1 { slopes(N, p) } else { 0 });
-            offsets.push(offsets[k] + widths[k] * layer.len());
+            offsets.push(offsets[k] + widths[k] * layer.free);
         }
         Self {
             order,
@@ -46,7 +46,7 @@ impl Skeleton {
         self.offsets[self.widths.len()]
     }
 
-    /// The first unknown of a k-simplex.
+    /// The first unknown of an interior k-simplex.
     #[inline]
     pub fn first(&self, k: usize, simplex: usize) -> usize {
         self.offsets[k] + simplex * self.widths[k]
@@ -55,21 +55,23 @@ impl Skeleton {
     /// The unknowns of a cell's k-simplex, by which of them it is; none if it is in ∂Ω.
     #[inline]
     pub fn of_cell(&self, k: usize, cell: usize, which: usize) -> std::ops::Range<usize> {
-        match self.order.layers[k].of_cell(cell)[which] {
-            CLAMPED => 0..0,
-            simplex => {
-                let first = self.first(k, simplex as usize);
-                first..first + self.widths[k]
-            }
-        }
+        let simplex = self.order.layers[k].free_of_cell(cell, which);
+        simplex.map_or(0..0, |simplex| self.of_simplex(k, simplex))
     }
 
-    /// The unknowns of all k-simplices.
+    /// The unknowns of an interior k-simplex.
+    #[inline]
+    pub fn of_simplex(&self, k: usize, simplex: usize) -> std::ops::Range<usize> {
+        let first = self.first(k, simplex);
+        first..first + self.widths[k]
+    }
+
+    /// The unknowns of all interior k-simplices.
     pub fn layer<'a>(&self, k: usize, x: &'a [f64]) -> &'a [f64] {
         &x[self.offsets[k]..self.offsets[k + 1]]
     }
 
-    /// The unknowns of all k-simplices.
+    /// The unknowns of all interior k-simplices.
     pub fn layer_mut<'a>(&self, k: usize, x: &'a mut [f64]) -> &'a mut [f64] {
         &mut x[self.offsets[k]..self.offsets[k + 1]]
     }
@@ -94,7 +96,7 @@ impl Skeleton {
     pub fn gather(&self, load: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; self.len()];
         for (k, layer) in self.order.layers.iter().enumerate() {
-            for (at, &simplex) in layer.simplices.iter().enumerate() {
+            for (at, &simplex) in layer.simplices[..layer.free].iter().enumerate() {
                 for i in 0..self.own[k] {
                     x[self.first(k, at) + i] = load[self.place(k, simplex as usize, i)];
                 }
@@ -106,7 +108,7 @@ impl Skeleton {
     /// Writes the unknowns to where a solution has them.
     pub fn scatter(&self, x: &[f64], coefficients: &mut [f64]) {
         for (k, layer) in self.order.layers.iter().enumerate() {
-            for (at, &simplex) in layer.simplices.iter().enumerate() {
+            for (at, &simplex) in layer.simplices[..layer.free].iter().enumerate() {
                 for i in 0..self.widths[k] {
                     coefficients[self.place(k, simplex as usize, i)] = x[self.first(k, at) + i];
                 }

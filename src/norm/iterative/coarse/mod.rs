@@ -7,6 +7,7 @@
 mod domain;
 pub(super) mod lattice;
 mod modes;
+mod nodes;
 mod patch;
 mod slabs;
 mod spline;

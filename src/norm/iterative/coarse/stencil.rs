@@ -42,10 +42,24 @@ impl<const N: usize> Grid<N> {
 /// How far, in cells, rounding may bring a point across a plane between two cells.
 const ROUNDING: f64 = 1e-6;
 
+/// A value and a gradient at a point, or what is dual to them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Jet<const N: usize> {
+    pub value: Short,
+    pub gradient: [Short; N],
+}
+
+impl<const N: usize> Jet<N> {
+    pub const ZERO: Self = Self {
+        value: 0.0,
+        gradient: [0.0; N],
+    };
+}
+
 /// Where a point is in the splines' lattice: what multiplies the rows of four coefficients along the first axis.
 pub(super) struct Stencil<const N: usize> {
     /// The first coefficient of the first row, and how far the others are from it.
-    pub first: usize,
+    first: usize,
     offsets: [usize; ROWS],
     /// Along the first axis: values and slopes.
     along: [[Short; 4]; 2],
@@ -75,30 +89,25 @@ impl<const N: usize> Stencil<N> {
         }
     }
 
-    /// Moves it to a point.
+    /// Moves it to a point of a box whose first spline is given.
     #[inline]
-    pub fn locate(&mut self, grid: &Grid<N>, x: &Vector<f64, N>) {
-        let (mut first, mut stride, mut count) = (0, 1, 1);
+    pub fn place(&mut self, grid: &Grid<N>, first: usize, at: &[Short; N]) {
+        self.first = first;
+        let mut count = 1;
         for across in &mut self.across {
             across[0] = 1.0;
         }
         for axis in 0..N {
-            let density = grid.density[axis];
-            let t = (x[axis] - grid.lower[axis]) * density;
-            let cell = (t.max(0.0) as usize).min(grid.sides[axis] - 4);
-            let f = t - cell as f64;
+            let (f, density) = (f64::from(at[axis]), grid.density[axis]);
             let value = values(f).map(|x| x as Short);
             let slope = slopes(f).map(|x| (x * density) as Short);
-            first += cell * stride;
             if axis == 0 {
                 self.along = [value, slope];
             } else {
                 self.cross(axis, count, value, slope);
                 count *= 4;
             }
-            stride *= grid.sides[axis];
         }
-        self.first = first;
     }
 
     /// Goes from `count` rows to four times as many: one more axis.
@@ -117,7 +126,7 @@ impl<const N: usize> Stencil<N> {
 
     /// s and its gradient.
     #[inline]
-    pub fn evaluate(&self, c: &[Short]) -> (Short, [Short; N]) {
+    pub fn evaluate(&self, c: &[Short]) -> Jet<N> {
         let mut sums = [[0.0; 4]; N];
         for row in 0..Self::COUNT {
             let from = self.first + self.offsets[row];
@@ -135,12 +144,15 @@ impl<const N: usize> Stencil<N> {
             0 => along(&sums[0], &self.along[1]),
             _ => along(&sums[i], &self.along[0]),
         });
-        (along(&sums[0], &self.along[0]), gradient)
+        Jet {
+            value: along(&sums[0], &self.along[0]),
+            gradient,
+        }
     }
 
     /// The transpose of [`Stencil::evaluate`].
     #[inline]
-    pub fn spread(&self, value: Short, gradient: [Short; N], c: &mut [Short]) {
+    pub fn spread(&self, Jet { value, gradient }: Jet<N>, c: &mut [Short]) {
         let first: [Short; 4] =
             std::array::from_fn(|x| value * self.along[0][x] + gradient[0] * self.along[1][x]);
         for row in 0..Self::COUNT {

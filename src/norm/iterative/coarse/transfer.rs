@@ -1,11 +1,12 @@
 //! The transfer P from splines to the mesh's unknowns, and its transpose.
 //!
 //! On each simplex u is the polynomial of degree p through the values of s at the nodes of P_p, û the one of degree p−1 that
-//! fits ∂s/∂n there best. Nodes and normals are those of the mesh as it is, moved or not.
+//! fits ∂s/∂n there best. Nodes and normals are those of the mesh as it is, moved or not. At a node s and ∇s are evaluated once,
+//! however many simplices have it.
 
+use super::nodes::Nodes;
 use super::patch::Patch;
-use super::slabs::Slabs;
-use super::stencil::{Grid, Short, Stencil};
+use super::stencil::{Grid, Jet, Short, Stencil};
 use crate::linalg::Vector;
 use crate::norm::hhj::Hhj;
 use crate::norm::iterative::skeleton::Skeleton;
@@ -14,7 +15,7 @@ use crate::simplex::{Bernstein, Points, multi_indices};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
-/// How many simplices make one piece of work.
+/// How many simplices or nodes make one piece of work.
 const SIMPLICES: usize = 512;
 
 /// The transfer for one mesh and degree, N ≤ 3.
@@ -26,117 +27,141 @@ pub(super) struct Transfer<const N: usize> {
     pub grid: Grid<N>,
     /// By dimension of the simplex.
     functionals: Vec<Functional>,
-    /// The k-simplices by the planes of coefficients that they reach.
-    slabs: Vec<Slabs>,
-    /// The faces' unit normals, along which û is the derivative.
+    nodes: Nodes<N>,
+    /// The interior faces' unit normals, along which û is the derivative.
     normals: Vec<Vector<Short, N>>,
 }
 
-/// How the unknowns of a k-simplex are made of a function's values and derivatives at points.
+/// How the unknowns of a k-simplex are made of a function's values and derivatives at nodes.
 #[derive(Clone, Debug)]
 struct Functional {
-    points: Points,
-    /// u from values, `[(unknown, point)]`.
+    /// The degree of the nodes.
+    degree: usize,
+    /// u from values, `[(unknown, node)]`.
     values: DMatrix<f64>,
     /// û from normal derivatives.
-    normals: DMatrix<f64>,
-}
-
-/// A simplex on which unknowns are made.
-struct Frame<const N: usize> {
-    corners: [Vector<f64, N>; N],
-    normal: Vector<f64, N>,
+    slopes: DMatrix<f64>,
 }
 
 impl<const N: usize> Transfer<N> {
     pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>, grid: Grid<N>) -> Self {
-        let p = hhj.space().degree();
+        let (mesh, p, order) = (hhj.mesh(), hhj.space().degree(), &skeleton.order);
+        let functionals: Vec<_> = (0..N)
+            .map(|k| Functional::new::<N>(k, p, skeleton))
+            .collect();
+        let degrees: Vec<usize> = functionals.iter().map(|f| f.degree).collect();
         let mut transfer = Self {
             hhj: hhj.clone(),
             skeleton: skeleton.clone(),
+            nodes: Nodes::new(mesh, order, p, &degrees, &grid),
             grid,
-            functionals: (0..N)
-                .map(|k| Functional::new::<N>(k, p, skeleton))
-                .collect(),
-            slabs: Vec::new(),
+            functionals,
             normals: Vec::new(),
         };
-        let faces = &transfer.skeleton.order.layers[N - 1].simplices;
+        let layer = &order.layers[N - 1];
         let normal = |&face: &u32| transfer.normal(face as usize).map(|x| x as Short);
-        transfer.normals = faces.iter().map(normal).collect();
-        transfer.slabs = (0..N).map(|k| transfer.sorted(k)).collect();
+        transfer.normals = layer.simplices[..layer.free].iter().map(normal).collect();
         transfer
-    }
-
-    /// The k-simplices by the planes that they reach.
-    fn sorted(&self, k: usize) -> Slabs {
-        let span = |(place, &simplex): (usize, &u32)| {
-            let reached = self.reached(&self.corners(k, simplex as usize));
-            (place as u32, reached.low[N - 1], reached.high[N - 1])
-        };
-        let simplices = match self.skeleton.widths[k] {
-            0 => &[][..],
-            _ => &self.skeleton.order.layers[k].simplices,
-        };
-        let spans = simplices.iter().enumerate().map(span).collect();
-        Slabs::new(self.grid.sides[N - 1], spans)
     }
 
     /// factor · Pᵀ r.
     pub fn restrict(&self, r: &[f64], factor: f64) -> Vec<Short> {
-        let plane = self.grid.plane();
+        let (plane, jets) = (self.grid.plane(), self.duals(r, factor));
         let mut spline = vec![0.0; self.grid.len()];
-        for (k, slabs) in self.slabs.iter().enumerate() {
-            slabs.add_up(&mut spline, plane, |simplices, chunk, first| {
-                self.restrict_some(r, factor, k, simplices, chunk, first * plane);
-            });
-        }
+        let spread = |nodes: &[u32], chunk: &mut [Short], first: usize| {
+            let mut stencil = Stencil::new(&self.grid);
+            for &node in nodes {
+                let spot = &self.nodes.spots[node as usize];
+                stencil.place(&self.grid, spot.first as usize - first * plane, &spot.at);
+                stencil.spread(jets[node as usize], chunk);
+            }
+        };
+        self.nodes.slabs.add_up(&mut spline, plane, spread);
         spline
     }
 
-    /// Coefficient i is at i − shift in the chunk.
-    fn restrict_some(
-        &self,
-        r: &[f64],
-        factor: f64,
-        k: usize,
-        simplices: &[u32],
-        chunk: &mut [Short],
-        shift: usize,
-    ) {
-        let (functional, mut stencil) = (&self.functionals[k], Stencil::new(&self.grid));
-        for simplex in simplices.iter().map(|&s| s as usize) {
-            let first = self.skeleton.first(k, simplex);
-            let r = &r[first..first + self.skeleton.widths[k]];
-            let frame = self.frame(k, simplex);
-            for q in 0..functional.points.len() {
-                let (value, gradient) = functional.transposed(q, r, &frame);
-                stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
-                stencil.first -= shift;
-                let gradient = std::array::from_fn(|i| (factor * gradient[i]) as Short);
-                stencil.spread((factor * value) as Short, gradient, chunk);
+    /// What the nodes get from the unknowns' dual vector.
+    fn duals(&self, r: &[f64], factor: f64) -> Vec<Jet<N>> {
+        let mut jets = vec![Jet::ZERO; self.nodes.spots.len()];
+        let mut rest = &mut jets[..];
+        for (k, layer) in self.skeleton.order.layers.iter().enumerate() {
+            let own = self.nodes.own[k];
+            let of_layer = rest.split_off_mut(..own * layer.simplices.len());
+            let of_layer = of_layer.expect("every simplex has its nodes");
+            for_chunks(of_layer, SIMPLICES * own.max(1), |piece, jets| {
+                let mut sums = vec![(0.0, Vector::zeros()); own];
+                for (i, jets) in jets.chunks_exact_mut(own.max(1)).enumerate() {
+                    self.duals_of(r, k, piece * SIMPLICES + i, &mut sums);
+                    for (jet, (value, gradient)) in jets.iter_mut().zip(&sums) {
+                        jet.value = (factor * value) as Short;
+                        jet.gradient = std::array::from_fn(|i| (factor * gradient[i]) as Short);
+                    }
+                }
+            });
+        }
+        jets
+    }
+
+    /// The same for the own nodes of a k-simplex.
+    fn duals_of(&self, r: &[f64], k: usize, simplex: usize, sums: &mut [(f64, Vector<f64, N>)]) {
+        let order = &self.skeleton.order;
+        sums.fill((0.0, Vector::zeros()));
+        for (cell, which) in order.layers[k].star(simplex) {
+            for user in self.nodes.users(k, cell, which) {
+                let at = order.layers[user.k].of_cell(cell)[user.which] as usize;
+                let r = &r[self.skeleton.of_simplex(user.k, at)];
+                let normal = self.along(user.k, at);
+                for ((value, gradient), &q) in sums.iter_mut().zip(&user.points) {
+                    let (u, slope) = self.functionals[user.k].transposed(q, r);
+                    *value += u;
+                    *gradient += normal * slope;
+                }
             }
         }
     }
 
-    /// The rows of P for a simplex, on a lattice that is a part of the splines': row i is `rows[i·len..]`, `zero` before.
-    pub fn rows(&self, k: usize, simplex: usize, part: &Grid<N>, rows: &mut [Short]) {
-        let (functional, mut stencil) = (&self.functionals[k], Stencil::new(part));
-        let frame = self.frame(k, simplex);
-        let (u, normal) = (functional.values.nrows(), frame.normal);
-        for q in 0..functional.points.len() {
-            stencil.locate(part, &frame.point(functional.points.lambda(q)));
-            for (i, row) in rows.chunks_exact_mut(part.len()).enumerate() {
+    /// The direction of a simplex' slopes: only faces have some.
+    #[inline]
+    fn along(&self, k: usize, simplex: usize) -> Vector<f64, N> {
+        match k + 1 == N {
+            true => self.normals[simplex].map(f64::from),
+            false => Vector::zeros(),
+        }
+    }
+
+    /// The rows of P for an interior simplex, on a box of the lattice's sites: row i is `rows[i·len..]`, `zero` before.
+    pub fn rows(&self, k: usize, simplex: usize, patch: &Patch<N>, rows: &mut [Short]) {
+        let functional = &self.functionals[k];
+        let (u, normal) = (functional.values.nrows(), self.along(k, simplex));
+        let part = Grid {
+            sides: patch.sides(),
+            ..self.grid.clone()
+        };
+        let (mut stencil, whole) = (Stencil::new(&part), Patch::whole(&self.grid.sides));
+        for (q, node) in self.nodes_of(k, simplex).enumerate() {
+            let spot = &self.nodes.spots[node];
+            let first = patch.position(&whole.site(spot.first as usize));
+            stencil.place(&part, first, &spot.at);
+            for (i, row) in rows.chunks_exact_mut(patch.len()).enumerate() {
+                let mut jet = Jet::ZERO;
                 match i.checked_sub(u) {
-                    None => stencil.spread(functional.values[(i, q)] as Short, [0.0; N], row),
+                    None => jet.value = functional.values[(i, q)] as Short,
                     Some(beta) => {
-                        let slope = functional.normals[(beta, q)];
-                        let gradient = std::array::from_fn(|i| (slope * normal[i]) as Short);
-                        stencil.spread(0.0, gradient, row);
+                        let slope = functional.slopes[(beta, q)];
+                        jet.gradient = std::array::from_fn(|i| (slope * normal[i]) as Short);
                     }
                 }
+                stencil.spread(jet, row);
             }
         }
+    }
+
+    /// The nodes on a simplex, as its first cell has them.
+    #[inline]
+    fn nodes_of(&self, k: usize, simplex: usize) -> impl Iterator<Item = usize> {
+        let order = &self.skeleton.order;
+        let (cell, which) = order.layers[k].first(simplex);
+        self.nodes.of_block(order, k, cell, which)
     }
 
     /// The splines that live at some of these points or between them.
@@ -153,38 +178,28 @@ impl<const N: usize> Transfer<N> {
 
     /// z += factor · P s.
     pub fn prolong(&self, spline: &[Short], factor: f64, z: &mut [f64]) {
-        for (k, functional) in self.functionals.iter().enumerate() {
-            let width = self.skeleton.widths[k];
-            if width == 0 {
-                continue;
+        let mut jets = vec![Jet::ZERO; self.nodes.spots.len()];
+        for_chunks(&mut jets, SIMPLICES, |piece, jets| {
+            let mut stencil = Stencil::new(&self.grid);
+            for (spot, jet) in self.nodes.spots[piece * SIMPLICES..].iter().zip(jets) {
+                stencil.place(&self.grid, spot.first as usize, &spot.at);
+                *jet = stencil.evaluate(spline);
             }
-            for_chunks(
-                self.skeleton.layer_mut(k, z),
-                SIMPLICES * width,
-                |piece, z| {
-                    let mut stencil = Stencil::new(&self.grid);
-                    for (i, z) in z.chunks_exact_mut(width).enumerate() {
-                        let frame = self.frame(k, piece * SIMPLICES + i);
-                        for q in 0..functional.points.len() {
-                            stencil.locate(&self.grid, &frame.point(functional.points.lambda(q)));
-                            let (value, gradient) = stencil.evaluate(spline);
-                            let gradient = Vector::from_fn(|i, _| factor * f64::from(gradient[i]));
-                            functional.add(q, factor * f64::from(value), &gradient, &frame, z);
-                        }
+        });
+        for (k, functional) in self.functionals.iter().enumerate() {
+            let (width, layer) = (self.skeleton.widths[k], self.skeleton.layer_mut(k, z));
+            for_chunks(layer, SIMPLICES * width.max(1), |piece, z| {
+                for (i, z) in z.chunks_exact_mut(width).enumerate() {
+                    let simplex = piece * SIMPLICES + i;
+                    let normal = self.along(k, simplex);
+                    for (q, node) in self.nodes_of(k, simplex).enumerate() {
+                        let Jet { value, gradient } = &jets[node];
+                        let gradient = Vector::from_fn(|i, _| f64::from(gradient[i]));
+                        let slope = factor * normal.dot(&gradient);
+                        functional.add(q, factor * f64::from(*value), slope, z);
                     }
-                },
-            );
-        }
-    }
-
-    fn frame(&self, k: usize, simplex: usize) -> Frame<N> {
-        let of_mesh = self.skeleton.order.layers[k].simplices[simplex] as usize;
-        Frame {
-            corners: std::array::from_fn(|v| self.corner(k, of_mesh, v.min(k))),
-            normal: match k + 1 == N {
-                true => self.normals[simplex].map(f64::from),
-                false => Vector::zeros(),
-            },
+                }
+            });
         }
     }
 
@@ -207,17 +222,6 @@ impl<const N: usize> Transfer<N> {
     }
 }
 
-impl<const N: usize> Frame<N> {
-    #[inline]
-    fn point(&self, lambda: &[f64]) -> Vector<f64, N> {
-        let mut x = Vector::zeros();
-        for (lambda, corner) in lambda.iter().zip(&self.corners) {
-            x += corner * *lambda;
-        }
-        x
-    }
-}
-
 impl Functional {
     fn new<const N: usize>(k: usize, p: usize, skeleton: &Skeleton) -> Self {
         let inside = |alpha: &[usize]| alpha.iter().all(|&e| e > 0);
@@ -225,9 +229,9 @@ impl Functional {
         let own: Vec<usize> = (0..bernstein.len())
             .filter(|&a| inside(&bernstein[a]))
             .collect();
-        let has_normals = k + 1 == N;
+        let has_slopes = k + 1 == N;
         // Where u has no unknown, the nodes of û alone are enough, and half as many; P_0 has none to speak of.
-        let degree = match own.is_empty() && has_normals && p > 1 {
+        let degree = match own.is_empty() && has_slopes && p == 2 {
             true => p - 1,
             false => p,
         };
@@ -238,50 +242,33 @@ impl Functional {
             true => DMatrix::zeros(0, points.len()),
             false => fit(&Bernstein::new(k + 1, p), &points).select_rows(&own),
         };
-        let normals = match has_normals {
+        let slopes = match has_slopes {
             true => fit(&Bernstein::new(k + 1, p - 1), &points),
             false => DMatrix::zeros(0, points.len()),
         };
-        debug_assert_eq!(own.len() + normals.nrows(), skeleton.widths[k]);
+        debug_assert_eq!(own.len() + slopes.nrows(), skeleton.widths[k]);
         Self {
+            degree,
             values,
-            normals,
-            points,
+            slopes,
         }
     }
 
-    /// Adds what s and its gradient at point q give to the unknowns.
+    /// Adds what a value and a normal derivative at node q give to the unknowns.
     #[inline]
-    fn add<const N: usize>(
-        &self,
-        q: usize,
-        value: f64,
-        gradient: &Vector<f64, N>,
-        frame: &Frame<N>,
-        z: &mut [f64],
-    ) {
+    fn add(&self, q: usize, value: f64, slope: f64, z: &mut [f64]) {
         let (u, slopes) = z.split_at_mut(self.values.nrows());
         add(u, self.values.column(q).as_slice(), value);
-        add(
-            slopes,
-            self.normals.column(q).as_slice(),
-            gradient.dot(&frame.normal),
-        );
+        add(slopes, self.slopes.column(q).as_slice(), slope);
     }
 
-    /// What point q gets from the unknowns' dual vector: the transpose of [`Functional::add`].
+    /// What node q gets from the unknowns' dual vector: the transpose of [`Functional::add`].
     #[inline]
-    fn transposed<const N: usize>(
-        &self,
-        q: usize,
-        r: &[f64],
-        frame: &Frame<N>,
-    ) -> (f64, Vector<f64, N>) {
+    fn transposed(&self, q: usize, r: &[f64]) -> (f64, f64) {
         let (u, slopes) = r.split_at(self.values.nrows());
-        let slope = dot(self.normals.column(q).as_slice(), slopes);
         (
             dot(self.values.column(q).as_slice(), u),
-            frame.normal * slope,
+            dot(self.slopes.column(q).as_slice(), slopes),
         )
     }
 }

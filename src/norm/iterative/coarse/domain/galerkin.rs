@@ -6,14 +6,13 @@
 
 use super::super::patch::Patch;
 use super::super::slabs::Slabs;
-use super::super::stencil::{Grid, Short};
+use super::super::stencil::Short;
 use super::super::transfer::Transfer;
 use super::energy::Energy;
 use super::inside::Boxes;
 use super::level::{Kind, Level, Plane};
 use crate::linalg::Vector;
 use crate::norm::hhj::cell::eliminate;
-use crate::norm::iterative::order::CLAMPED;
 use crate::parallel::for_chunks;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
@@ -177,21 +176,8 @@ impl<const N: usize> Finest<'_, N> {
 
     /// The form of the splines that reach a cell.
     fn of_cell(&self, cell: u32) -> (Patch<N>, Vec<f64>) {
-        let Transfer {
-            hhj,
-            skeleton,
-            grid,
-            ..
-        } = self.transfer;
+        let Transfer { hhj, skeleton, .. } = self.transfer;
         let patch = self.transfer.reached(&self.corners(cell));
-        let part = Grid {
-            sides: patch.sides(),
-            lower: std::array::from_fn::<f64, N, _>(|i| {
-                grid.lower[i] + patch.low[i] as f64 / grid.density[i]
-            })
-            .into(),
-            density: grid.density,
-        };
         let (layout, splines) = (hhj.layout(), patch.len());
         let cell = cell as usize;
         let mut energy = hhj.energy(skeleton.order.cells[cell] as usize);
@@ -199,11 +185,11 @@ impl<const N: usize> Finest<'_, N> {
         let outer = layout.len - layout.bubbles;
         let mut rows = vec![0.0; outer * splines];
         for block in &layout.blocks {
-            let simplex = skeleton.order.layers[block.k].of_cell(cell)[block.place];
-            if block.width > 0 && simplex != CLAMPED {
+            let simplex = skeleton.order.layers[block.k].free_of_cell(cell, block.place);
+            if let Some(simplex) = simplex.filter(|_| block.width > 0) {
                 let begin = (block.start - layout.bubbles) * splines;
                 let rows = &mut rows[begin..begin + skeleton.widths[block.k] * splines];
-                self.transfer.rows(block.k, simplex as usize, &part, rows);
+                self.transfer.rows(block.k, simplex, &patch, rows);
             }
         }
         let condensed = DMatrix::from_fn(outer, outer, |i, j| {
