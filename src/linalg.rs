@@ -79,7 +79,7 @@ pub fn form<T: Field, const N: usize>(a: &Mat<T, N>, x: &Vector<T, N>, y: &Vecto
     let mut sum = T::zero();
     for i in 0..N {
         for j in 0..N {
-            sum += a[(i, j)] * x[i] * y[j];
+            sum.add_product(a[(i, j)] * x[i], y[j]);
         }
     }
     sum
@@ -91,7 +91,7 @@ pub fn apply<T: Field, const N: usize>(a: &Mat<T, N>, x: &Vector<T, N>) -> Vecto
     vector(|i| {
         let mut y = T::zero();
         for j in 0..N {
-            y += a[(i, j)] * x[j];
+            y.add_product(a[(i, j)], x[j]);
         }
         y
     })
@@ -102,7 +102,7 @@ pub fn apply<T: Field, const N: usize>(a: &Mat<T, N>, x: &Vector<T, N>) -> Vecto
 pub fn contract<T: Field, const N: usize>(alpha: &Vector<T, N>, x: &Vector<T, N>) -> T {
     let mut sum = T::zero();
     for i in 0..N {
-        sum += alpha[i] * x[i];
+        sum.add_product(alpha[i], x[i]);
     }
     sum
 }
@@ -113,7 +113,7 @@ pub fn double_contract<T: Field, const N: usize>(a: &Mat<T, N>, b: &Mat<T, N>) -
     let mut sum = T::zero();
     for i in 0..N {
         for j in 0..N {
-            sum += a[(i, j)] * b[(i, j)];
+            sum.add_product(a[(i, j)], b[(i, j)]);
         }
     }
     sum
@@ -126,14 +126,14 @@ pub fn sandwich<T: Field, const N: usize>(b: &Mat<T, N>, a: &Mat<T, N>) -> Mat<T
     for i in 0..N {
         for j in 0..N {
             for k in 0..N {
-                ab[(i, j)] += a[(i, k)] * b[(k, j)];
+                ab[(i, j)].add_product(a[(i, k)], b[(k, j)]);
             }
         }
     }
     symmetric(|i, j| {
         let mut sum = T::zero();
         for k in 0..N {
-            sum += b[(i, k)] * ab[(k, j)];
+            sum.add_product(b[(i, k)], ab[(k, j)]);
         }
         sum
     })
@@ -162,7 +162,7 @@ pub fn ldlt<T: Field, const N: usize>(a: &Mat<T, N>) -> Ldlt<T, N> {
                 for i in 0..N {
                     if i >= j {
                         let l_ik = f[(i, k)];
-                        f[(i, j)] -= l_ik * scaled;
+                        f[(i, j)].sub_product(l_ik, scaled);
                     }
                 }
             }
@@ -199,7 +199,7 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
                 let mut sum = f[(i, j)];
                 for k in 0..N {
                     if j < k && k < i {
-                        sum += f[(i, k)] * m[(k, j)];
+                        sum.add_product(f[(i, k)], m[(k, j)]);
                     }
                 }
                 m[(i, j)] = -sum;
@@ -214,7 +214,7 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
         }
         for k in 0..N {
             if k > j {
-                sum += m[(k, i)] * m[(k, j)] * reciprocals[k];
+                sum.add_product(m[(k, i)] * m[(k, j)], reciprocals[k]);
             }
         }
         sum

@@ -122,7 +122,7 @@ impl<T: Real> Pairing<T> {
 fn product<'a, T: Real>(a: impl Iterator<Item = &'a T>, b: &[T]) -> T {
     let mut sum = T::zero();
     for (a, b) in a.zip(b) {
-        sum += *a * *b;
+        sum.add_product(*a, *b);
     }
     sum
 }

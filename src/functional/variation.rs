@@ -17,7 +17,7 @@ use crate::jet::Jet1;
 use crate::linalg::{contract, double_contract, sandwich};
 use crate::riemann::differential;
 use crate::scalar::Real;
-use crate::simplex::JetTable;
+use crate::simplex::{Derivatives, JetTable};
 use crate::spaces::{Lagrange, ReggeSpace, Symmetric};
 
 /// b_h(g; σ, v) − a_h(g; σ, v) for every v of a Lagrange space.
@@ -65,7 +65,11 @@ pub fn variation_adjoint<const N: usize, G: TensorField<N>>(
     rules: &Rules,
 ) -> Sums<G::Scalar> {
     assert_eq!(weights.len(), tests.len(), "weights of another space");
-    let v = One { weights, tests };
+    let v = One {
+        weights,
+        tests,
+        derivatives: Derivatives::new(tests.degree()),
+    };
     let mut sums = adjoint::<G::Wide, N, G>(g, &v, space, Where::Interior, boundary, rules);
     let outer = adjoint::<G::Wide, N, G>(g, &v, space, Where::Boundary, boundary, rules);
     for (list, outer) in [
@@ -81,14 +85,14 @@ pub fn variation_adjoint<const N: usize, G: TensorField<N>>(
 struct One<'a, const N: usize> {
     weights: &'a [f64],
     tests: &'a Lagrange<N>,
+    derivatives: Derivatives<N>,
 }
 
 impl<const N: usize> One<'_, N> {
     /// Tables for v's jets, by place.
     fn tables<T: Real>(&self, sites: &Sites) -> Vec<JetTable<T, N>> {
-        let basis = self.tests.basis(N);
-        let points = sites.points.iter();
-        points.map(|points| JetTable::new(&basis, points)).collect()
+        let (degree, points) = (self.tests.degree(), sites.points.iter());
+        points.map(|points| JetTable::new(degree, points)).collect()
     }
 }
 
@@ -140,7 +144,7 @@ where
     G: Evaluate<T, N>,
 {
     type Value = Symmetric;
-    /// g, and the coefficients of v on the cell.
+    /// g, and the coefficients of v on the cell with those of its derivatives.
     type Local = (OnCell<G::Local, T, N>, Vec<f64>);
 
     fn sums(&self) -> [bool; 3] {
@@ -157,7 +161,8 @@ where
 
     fn on_cell(&self, cell: usize) -> Self::Local {
         let dofs = self.v.tests.cell_dofs(cell);
-        let local = dofs.map(|dof| self.v.weights[dof]).collect();
+        let local: Vec<f64> = dofs.map(|dof| self.v.weights[dof]).collect();
+        let local = self.v.derivatives.follow(1, &local);
         (self.seen.on_cell(cell), local)
     }
 

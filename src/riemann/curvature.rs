@@ -29,7 +29,8 @@ impl<'g, T: Field, const N: usize> Curvature<'g, T, N> {
         let (low, up) = (&self.connection.lowered, &self.connection.gamma);
         let mut sum = second * T::half();
         for m in 0..N {
-            sum += low[m][(j, k)] * up[m][(i, l)] - low[m][(j, l)] * up[m][(i, k)];
+            sum.add_product(low[m][(j, k)], up[m][(i, l)]);
+            sum.sub_product(low[m][(j, l)], up[m][(i, k)]);
         }
         sum
     }
@@ -41,7 +42,7 @@ impl<'g, T: Field, const N: usize> Curvature<'g, T, N> {
             let mut sum = T::zero();
             for i in (0..N).filter(|&i| i != j) {
                 for k in (0..N).filter(|&k| k != l) {
-                    sum += self.connection.inverse[(i, k)] * self.riemann([i, j, k, l]);
+                    sum.add_product(self.connection.inverse[(i, k)], self.riemann([i, j, k, l]));
                 }
             }
             sum

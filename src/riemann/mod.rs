@@ -8,7 +8,7 @@ mod curvature;
 pub use curvature::Curvature;
 
 use crate::formulas::Formulas;
-use crate::jet::{Jet, Jet1, Jet2, lower};
+use crate::jet::{Jet, Jet1, Jet2, lower, lower_vector};
 use crate::linalg::{
     Mat, Vector, double_contract, fill_symmetric, inverse_and_det, matrix, sandwich, symmetric,
     vector, zeros,
@@ -83,7 +83,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
             fill_symmetric(&mut connection.gamma[k], |i, j| {
                 let mut sum = inverse[(k, 0)] * connection.lowered[0][(i, j)];
                 for l in 1..N {
-                    sum += inverse[(k, l)] * connection.lowered[l][(i, j)];
+                    sum.add_product(inverse[(k, l)], connection.lowered[l][(i, j)]);
                 }
                 sum
             });
@@ -115,16 +115,18 @@ impl<F: Field, const N: usize> Connection<F, N> {
         crate::linalg::apply(&self.inverse, alpha)
     }
 
-    /// `[(m, j)]` = (∇_m α)_j = ∂_m α_j − Γ^k_mj α_k.
+    /// `[(m, j)]` = (∇_m α)_j = ∂_m α_j − Γ_kmj α^k.
     #[inline]
     pub fn nabla_covector<J: Jet<N, Lower = F>>(&self, alpha: &Vector<J, N>) -> Mat<F, N> {
-        matrix(|m, j| {
-            let mut value = alpha[j].d(m);
-            for k in 0..N {
-                value -= self.gamma[k][(m, j)] * alpha[k].lower();
+        let raised = self.sharp(&lower_vector(alpha));
+        let turned: Mat<F, N> = symmetric(|m, j| {
+            let mut sum = self.lowered[0][(m, j)] * raised[0];
+            for k in 1..N {
+                sum.add_product(self.lowered[k][(m, j)], raised[k]);
             }
-            value
-        })
+            sum
+        });
+        matrix(|m, j| alpha[j].d(m) - turned[(m, j)])
     }
 
     /// `[(m, k)]` = (∇_m X)^k = ∂_m X^k + Γ^k_mj X^j.
@@ -133,7 +135,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
         matrix(|m, k| {
             let mut value = x[k].d(m);
             for j in 0..N {
-                value += self.gamma[k][(m, j)] * x[j].lower();
+                value.add_product(self.gamma[k][(m, j)], x[j].lower());
             }
             value
         })
@@ -147,8 +149,8 @@ impl<F: Field, const N: usize> Connection<F, N> {
             fill_symmetric(&mut nabla[m], |i, j| {
                 let mut sum = sigma[(i, j)].d(m);
                 for k in 0..N {
-                    sum -= self.gamma[k][(m, i)] * value[(k, j)];
-                    sum -= self.gamma[k][(m, j)] * value[(i, k)];
+                    sum.sub_product(self.gamma[k][(m, i)], value[(k, j)]);
+                    sum.sub_product(self.gamma[k][(m, j)], value[(i, k)]);
                 }
                 sum
             });
@@ -170,7 +172,7 @@ impl<F: Field, const N: usize> Connection<F, N> {
             let mut sum = F::zero();
             for m in 0..N {
                 for i in 0..N {
-                    sum += self.inverse[(m, i)] * nabla[m][(i, j)];
+                    sum.add_product(self.inverse[(m, i)], nabla[m][(i, j)]);
                 }
             }
             sum

@@ -1,29 +1,90 @@
-//! f64 and every copyable scalar of num-dual, by one blanket implementation.
+//! f64 and every copyable scalar of num-dual.
 
 use super::{Algebraic, Field, Lift, Number, Real};
 use num_dual::{
     Dual, Dual2, Dual3, DualNum, DualNumCopy, DualSVec, DualStruct, HyperDual, HyperHyperDual,
 };
 
-impl<T: DualNumCopy + DualNum<Primitive = f64>> Field for T {
-    #[inline]
-    fn from_int(n: i64) -> Self {
-        T::from(n as f64)
+/// Has the machine that this is built for an instruction for a·b + c? Without it, to round once would be a call.
+const FUSED: bool = cfg!(any(target_feature = "fma", target_feature = "neon"));
+
+/// The integers and quotients of a number of num-dual.
+macro_rules! integers {
+    () => {
+        #[inline]
+        fn from_int(n: i64) -> Self {
+            Self::from(n as f64)
+        }
+        #[inline]
+        fn ratio(n: i64, d: i64) -> Self {
+            Self::from(n as f64 / d as f64)
+        }
+    };
+}
+
+impl Field for f64 {
+    integers!();
+    #[inline(always)]
+    fn add_product(&mut self, a: Self, b: Self) {
+        if FUSED {
+            *self = a.mul_add(b, *self);
+        } else {
+            *self += a * b;
+        }
     }
-    #[inline]
-    fn ratio(n: i64, d: i64) -> Self {
-        T::from(n as f64 / d as f64)
+    #[inline(always)]
+    fn sub_product(&mut self, a: Self, b: Self) {
+        self.add_product(-a, b);
     }
 }
 
-impl<T: DualNumCopy + DualNum<Primitive = f64>> Algebraic for T {
+/// The one dual number that derivatives are computed with in production: its products are added up part by part.
+impl<T: Field> Field for Dual<T>
+where
+    Self: DualNumCopy + DualNum<Primitive = f64>,
+{
+    integers!();
+    #[inline(always)]
+    fn add_product(&mut self, a: Self, b: Self) {
+        self.re.add_product(a.re, b.re);
+        self.eps.add_product(a.re, b.eps);
+        self.eps.add_product(a.eps, b.re);
+    }
+    #[inline(always)]
+    fn sub_product(&mut self, a: Self, b: Self) {
+        self.re.sub_product(a.re, b.re);
+        self.eps.sub_product(a.re, b.eps);
+        self.eps.sub_product(a.eps, b.re);
+    }
+}
+
+macro_rules! field {
+    ($($dual:ident),*) => {$(
+        impl<T> Field for $dual<T>
+        where
+            Self: DualNumCopy + DualNum<Primitive = f64>,
+        {
+            integers!();
+        }
+    )*};
+}
+field!(Dual2, Dual3, HyperDual, HyperHyperDual);
+
+impl<T: DualNum<Primitive = f64>, const D: usize> Field for DualSVec<T, D>
+where
+    Self: DualNumCopy + DualNum<Primitive = f64>,
+{
+    integers!();
+}
+
+impl<T: Field + DualNumCopy + DualNum<Primitive = f64>> Algebraic for T {
     #[inline]
     fn sqrt(self) -> Self {
         DualNum::sqrt(&self)
     }
 }
 
-impl<T: DualNumCopy + DualNum<Primitive = f64>> Real for T {
+impl<T: Field + DualNumCopy + DualNum<Primitive = f64>> Real for T {
     const LANES: usize = 1;
     type Sum = Self;
 
@@ -98,7 +159,7 @@ macro_rules! lift_to_itself {
         }
         impl<T> Number for $dual<T>
         where
-            $dual<T>: DualNumCopy + DualNum<Primitive = f64>,
+            $dual<T>: Field + DualNumCopy + DualNum<Primitive = f64>,
         {
             type Wide = Self;
         }
@@ -115,7 +176,7 @@ impl<T: DualNum<Primitive = f64>, const D: usize> Lift<DualSVec<T, D>> for DualS
 
 impl<T: DualNum<Primitive = f64>, const D: usize> Number for DualSVec<T, D>
 where
-    DualSVec<T, D>: DualNumCopy + DualNum<Primitive = f64>,
+    DualSVec<T, D>: Field + DualNumCopy + DualNum<Primitive = f64>,
 {
     type Wide = Self;
 }

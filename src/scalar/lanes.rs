@@ -100,6 +100,14 @@ impl Field for Lanes {
     fn ratio(n: i64, d: i64) -> Self {
         Self(f64x4::splat(n as f64 / d as f64))
     }
+    #[inline(always)]
+    fn add_product(&mut self, a: Self, b: Self) {
+        self.0 = a.0.mul_add(b.0, self.0);
+    }
+    #[inline(always)]
+    fn sub_product(&mut self, a: Self, b: Self) {
+        self.0 = a.0.mul_neg_add(b.0, self.0);
+    }
 }
 
 impl Algebraic for Lanes {

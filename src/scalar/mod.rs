@@ -70,6 +70,18 @@ pub trait Field:
     fn half() -> Self {
         Self::ratio(1, 2)
     }
+
+    /// Adds a·b: in one step, rounded once, where the machine has one for this scalar.
+    #[inline]
+    fn add_product(&mut self, a: Self, b: Self) {
+        *self += a * b;
+    }
+
+    /// Subtracts a·b, as [`Field::add_product`] adds it.
+    #[inline]
+    fn sub_product(&mut self, a: Self, b: Self) {
+        *self -= a * b;
+    }
 }
 
 /// A field with square roots, where they exist.

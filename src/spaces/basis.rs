@@ -1,12 +1,12 @@
 //! One function of the basis, as a field of its own.
 
-use super::function::{components_from_edges, from_chunks};
+use super::function::components_from_edges;
 use super::regge::ReggeSpace;
 use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::Mat;
 use crate::scalar::{Number, Real};
-use crate::simplex::{Bernstein, JetTable, Points};
+use crate::simplex::{JetTable, Points};
 
 /// ψ_i: the Regge function whose i-th coefficient is 1 and all others 0, without the vector of them.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ impl<T: Real, const N: usize> Evaluate<T, N> for BasisFunction<N> {
     type Local = Vec<f64>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        JetTable::new(&Bernstein::new(N + 1, self.space.degree()), points)
+        JetTable::new(self.space.degree(), points)
     }
 
     fn on_cell(&self, cell: usize) -> Vec<f64> {
@@ -41,19 +41,19 @@ impl<T: Real, const N: usize> Evaluate<T, N> for BasisFunction<N> {
             .map(|&slot| f64::from(u8::from(is_mine(slot))))
             .collect();
         components_from_edges::<f64, N>(&mut local);
-        local
+        space.derivatives().follow(N * (N + 1) / 2, &local)
     }
 
     fn jet2(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
-        from_chunks(local, |c| table.jet2(block, c))
+        table.tensor2(block, local)
     }
 
     fn jet1(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
-        from_chunks(local, |c| table.jet1(block, c))
+        table.tensor1(block, local)
     }
 
     fn value(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<T, N> {
-        from_chunks(local, |c| table.value(block, c))
+        table.tensor(block, local)
     }
 
     fn is_constant(&self) -> bool {

@@ -4,10 +4,10 @@ use super::regge::ReggeSpace;
 use crate::Error;
 use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
-use crate::linalg::{Mat, indefinite_pivot, surely_positive, symmetric};
+use crate::linalg::{Mat, indefinite_pivot, surely_positive};
 use crate::mesh::Mesh;
 use crate::scalar::{Field, Lift, Number, Real};
-use crate::simplex::{Bernstein, JetTable, Points};
+use crate::simplex::{JetTable, Points};
 
 /// A Regge function: a single-valued piecewise polynomial symmetric tensor, by its coefficients.
 #[derive(Clone, Debug, PartialEq)]
@@ -181,51 +181,39 @@ pub(super) fn components_from_edges<C: Field, const N: usize>(q: &mut [C]) {
     }
 }
 
-/// The matrix whose entries are made of equally long chunks of `coefficients`: the diagonal, then all i < j.
-#[inline]
-pub(super) fn from_chunks<C, F: Field, const N: usize>(
-    coefficients: &[C],
-    entry: impl Fn(&[C]) -> F,
-) -> Mat<F, N> {
-    let size = coefficients.len() / (N * (N + 1) / 2);
-    let mut pair = N;
-    symmetric(|i, j| {
-        let chunk = if i == j { i } else { pair };
-        pair += usize::from(i < j);
-        entry(&coefficients[chunk * size..(chunk + 1) * size])
-    })
-}
-
 impl<C, T, const N: usize> Evaluate<T, N> for ReggeFunction<C, N>
 where
     C: Field + Lift<T>,
     T: Real,
 {
     type Table = JetTable<T, N>;
-    /// The coefficients of the components on the cell: g_ii, then g_ij with i < j, `[component][α]`.
+    /// The coefficients of the components on the cell, g_ii, then g_ij with i < j, followed by those of their derivatives.
     type Local = Vec<C>;
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        JetTable::new(&Bernstein::new(N + 1, self.space.degree()), points)
+        JetTable::new(self.space.degree(), points)
     }
 
     fn on_cell(&self, cell: usize) -> Vec<C> {
-        self.components(cell, |c| c)
+        let components = self.components(cell, |c| c);
+        self.space
+            .derivatives()
+            .follow(N * (N + 1) / 2, &components)
     }
 
     #[inline]
     fn jet2(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
-        from_chunks(local, |c| table.jet2(block, c))
+        table.tensor2(block, local)
     }
 
     #[inline]
     fn jet1(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<Jet1<T, N>, N> {
-        from_chunks(local, |c| table.jet1(block, c))
+        table.tensor1(block, local)
     }
 
     #[inline]
     fn value(&self, local: &Vec<C>, table: &Self::Table, block: usize) -> Mat<T, N> {
-        from_chunks(local, |c| table.value(block, c))
+        table.tensor(block, local)
     }
 
     fn is_constant(&self) -> bool {

@@ -10,7 +10,7 @@
 use super::lagrange::numbers;
 use super::test::{Symmetric, TestSpace, Trace};
 use crate::mesh::{Mesh, Numbering, Slot};
-use crate::simplex::{Bernstein, binomial, subsets};
+use crate::simplex::{Bernstein, Derivatives, binomial, subsets};
 use std::sync::Arc;
 
 /// The Regge space of degree r on a mesh: a handle, whose clones share its tables.
@@ -25,6 +25,7 @@ struct Tables<const N: usize> {
     degree: usize,
     numbering: Numbering,
     slots: Vec<Vec<Slot>>,
+    derivatives: Derivatives<N>,
 }
 
 /// Spaces are the same if they have one degree on one mesh.
@@ -52,6 +53,7 @@ impl<const N: usize> ReggeSpace<N> {
                 degree,
                 numbering,
                 slots: slots_on(&all, N, degree),
+                derivatives: Derivatives::new(degree),
             }),
         }
     }
@@ -93,6 +95,11 @@ impl<const N: usize> ReggeSpace<N> {
     /// Where the coefficients of the q_ab on a cell are numbered, by edge, then by α.
     pub(super) fn slots(&self) -> &[Vec<Slot>] {
         &self.tables.slots
+    }
+
+    /// The derivatives of polynomials of degree r on a cell.
+    pub(super) fn derivatives(&self) -> &Derivatives<N> {
+        &self.tables.derivatives
     }
 
     /// Where the coefficients of the q_ab on the subsimplex with these local vertices of a cell are numbered, by edge of

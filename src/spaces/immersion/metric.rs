@@ -1,7 +1,7 @@
 //! g = F*δ as a Regge function, exactly.
 
-use super::{Immersion, raised};
-use crate::simplex::{binomial, multi_indices, subsets};
+use super::Immersion;
+use crate::simplex::{binomial, multi_indices, raised, subsets};
 use crate::spaces::{ReggeFunction, ReggeSpace};
 
 /// B_β B_γ = w B_{β+γ}.

@@ -177,19 +177,3 @@ fn from_nodes(n: usize, degree: usize) -> DMatrix<f64> {
     inverse
         .expect("polynomials of degree k are determined by their values on the lattice of order k")
 }
-
-/// For each exponent β of degree k − 1 and each vertex v, where β + e_v stands among the exponents of degree k.
-fn raised(n: usize, degree: usize) -> Vec<Vec<usize>> {
-    let higher = multi_indices(n + 1, degree);
-    let raise = |beta: &Vec<usize>, v: usize| {
-        let mut alpha = beta.clone();
-        alpha[v] += 1;
-        let place = higher.iter().position(|a| *a == alpha);
-        place.expect("raising an exponent of degree k − 1 gives one of degree k")
-    };
-    let lower = multi_indices(n + 1, degree - 1);
-    lower
-        .iter()
-        .map(|beta| (0..=n).map(|v| raise(beta, v)).collect())
-        .collect()
-}

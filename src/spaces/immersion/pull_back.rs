@@ -1,20 +1,21 @@
 //! A formula on ℝ^D, seen on a surface or solid in it.
 
-use super::{Immersion, raised};
+use super::Immersion;
 use crate::Error;
 use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::{Mat, symmetric};
 use crate::metrics::SmoothTensor;
 use crate::scalar::{Number, Real};
-use crate::simplex::{Bernstein, JetTable, Points};
+use crate::simplex::{Derivatives, JetTable, Points};
 
 /// F*g for a tensor g on ℝ^D by a formula: F*g(∂_i, ∂_j) = ∂_i F^a ∂_j F^b g_ab(F).
 #[derive(Clone, Debug)]
 pub struct Immersed<M, const N: usize, const D: usize> {
     immersion: Immersion<N>,
     formula: M,
-    raised: Vec<Vec<usize>>,
+    /// Of polynomials of degree k, and of degree k − 1.
+    derivatives: [Derivatives<N>; 2],
 }
 
 impl<M: SmoothTensor<D>, const N: usize, const D: usize> Immersed<M, N, D> {
@@ -29,7 +30,7 @@ impl<M: SmoothTensor<D>, const N: usize, const D: usize> Immersed<M, N, D> {
             return Err(Error::Input(reason));
         }
         Ok(Self {
-            raised: raised(N, immersion.degree()),
+            derivatives: [0, 1].map(|less| Derivatives::new(immersion.degree() - less)),
             immersion,
             formula,
         })
@@ -41,7 +42,7 @@ impl<M: SmoothTensor<D>, const N: usize, const D: usize> Immersed<M, N, D> {
     }
 }
 
-/// What F is on a cell, component by component of ℝ^D.
+/// What F is on a cell, component by component of ℝ^D; all coefficients are followed by those of derivatives.
 pub struct LocalMap<const N: usize, const D: usize> {
     /// The control points of F.
     map: [Vec<f64>; D],
@@ -58,20 +59,18 @@ impl<T: Real, M: SmoothTensor<D>, const N: usize, const D: usize> Evaluate<T, N>
 
     fn tabulate(&self, points: &Points) -> Self::Table {
         let degree = self.immersion.degree();
-        [degree, degree - 1].map(|degree| JetTable::new(&Bernstein::new(N + 1, degree), points))
+        [degree, degree - 1].map(|degree| JetTable::new(degree, points))
     }
 
     fn on_cell(&self, cell: usize) -> LocalMap<N, D> {
         let local = self.immersion.local(cell);
-        let k = self.immersion.degree() as f64;
-        let map: [Vec<f64>; D] =
-            std::array::from_fn(|c| local.iter().skip(c).step_by(D).copied().collect());
+        let [all, less] = &self.derivatives;
+        let map: [Vec<f64>; D] = std::array::from_fn(|c| {
+            let component: Vec<f64> = local.iter().skip(c).step_by(D).copied().collect();
+            all.follow(1, &component)
+        });
         let first = std::array::from_fn(|c| {
-            let f: &Vec<f64> = &map[c];
-            std::array::from_fn(|i| {
-                let along = self.raised.iter().map(|up| k * (f[up[i + 1]] - f[up[0]]));
-                along.collect()
-            })
+            std::array::from_fn(|i| less.follow(1, &all.along(&map[c], i).collect::<Vec<f64>>()))
         });
         LocalMap { map, first }
     }

@@ -12,7 +12,7 @@ use regge_curvature::jet::Jet1;
 use regge_curvature::linalg::{Vector, contract, inverse_and_det};
 use regge_curvature::mesh::Side;
 use regge_curvature::riemann::Connection;
-use regge_curvature::simplex::{Bernstein, JetTable, Points, subsets};
+use regge_curvature::simplex::{Bernstein, Derivatives, JetTable, Points, subsets};
 use regge_curvature::spaces::ReggeSpace;
 
 /// Stokes' theorem on a face.
@@ -26,27 +26,30 @@ struct Stokes {
     curved: Vec<f64>,
 }
 
-/// A polynomial one-form with components α_m = Σ c_mα B_α.
+/// The degree of a one-form's components.
+const DEGREE: usize = 2;
+
+/// A polynomial one-form with components α_m = Σ c_mα B_α; each component's coefficients are followed by those of its
+/// derivatives.
 struct OneForm {
-    basis: Bernstein,
-    coefficients: Vec<f64>,
+    components: Vec<Vec<f64>>,
 }
 
 impl OneForm {
     fn new<const N: usize>(draw: &mut Draw) -> Self {
-        let basis = Bernstein::new(N + 1, 2);
+        let size = Bernstein::new(N + 1, DEGREE).len();
+        let coefficients = draw.numbers(N * size);
+        let derivatives = Derivatives::<N>::new(DEGREE);
+        let components = coefficients.chunks_exact(size);
         Self {
-            coefficients: draw.numbers(N * basis.len()),
-            basis,
+            components: components.map(|c| derivatives.follow(1, c)).collect(),
         }
     }
 
     /// Its components with derivatives at all points.
     fn at<const N: usize>(&self, points: &Points) -> Vec<Vector<Jet1<f64, N>, N>> {
-        let table = JetTable::<f64, N>::new(&self.basis, points);
-        let size = self.basis.len();
-        let component =
-            |q: usize, m: usize| table.jet1(q, &self.coefficients[m * size..(m + 1) * size]);
+        let table = JetTable::<f64, N>::new(DEGREE, points);
+        let component = |q: usize, m: usize| table.jet1(q, &self.components[m]);
         list(points.len(), |q| Vector::from_fn(|m, _| component(q, m)))
     }
 }

@@ -7,7 +7,7 @@ use regge_curvature::field::{Evaluate, PointByPoint};
 use regge_curvature::functional::{distributional_curvature, einstein};
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::Mat;
-use regge_curvature::simplex::{Bernstein, JetTable, Points};
+use regge_curvature::simplex::{Derivatives, JetTable, Points};
 use regge_curvature::spaces::{Indicators, Lagrange};
 
 /// v σ for a function v of a Lagrange space.
@@ -22,11 +22,12 @@ impl<S: Evaluate<f64, N>, const N: usize> Evaluate<f64, N> for Product<'_, S, N>
     type Local = (Vec<f64>, S::Local);
 
     fn tabulate(&self, points: &Points) -> Self::Table {
-        let basis = Bernstein::new(N + 1, self.space.degree());
-        (JetTable::new(&basis, points), self.sigma.tabulate(points))
+        let v = JetTable::new(self.space.degree(), points);
+        (v, self.sigma.tabulate(points))
     }
     fn on_cell(&self, cell: usize) -> Self::Local {
-        let v = self.space.cell_dofs(cell).map(|d| self.v[d]).collect();
+        let v: Vec<f64> = self.space.cell_dofs(cell).map(|d| self.v[d]).collect();
+        let v = Derivatives::<N>::new(self.space.degree()).follow(1, &v);
         (v, self.sigma.on_cell(cell))
     }
     fn jet2(&self, local: &Self::Local, table: &Self::Table, q: usize) -> Mat<Jet2<f64, N>, N> {

@@ -4,8 +4,12 @@
 //! same from both of its cells. The reference coordinates of a cell are ξ_i = λ_{i+1}, i = 0…N−1; vertex 0 is the
 //! origin.
 
-use crate::jet::{Jet1, Jet2};
-use crate::scalar::{Lift, Real};
+mod table;
+
+pub use table::{Derivatives, JetTable};
+
+use crate::jet::Jet2;
+use crate::scalar::Real;
 
 /// All subsets of {0, …, n−1} with `size` elements, ascending, in lexicographic order.
 pub fn subsets(n: usize, size: usize) -> Vec<Vec<usize>> {
@@ -46,6 +50,25 @@ pub fn multi_indices(variables: usize, degree: usize) -> Vec<Vec<usize>> {
         }
     }
     all
+}
+
+/// For each exponent β of degree r − 1 and each vertex v of an n-simplex, where β + e_v stands among the exponents of degree r;
+/// nothing for r = 0.
+pub(crate) fn raised(n: usize, degree: usize) -> Vec<Vec<usize>> {
+    let Some(lower) = degree.checked_sub(1) else {
+        return Vec::new();
+    };
+    let higher = multi_indices(n + 1, degree);
+    let raise = |beta: &Vec<usize>, v: usize| {
+        let mut alpha = beta.clone();
+        alpha[v] += 1;
+        let place = higher.iter().position(|a| *a == alpha);
+        place.expect("raising an exponent of degree r − 1 gives one of degree r")
+    };
+    multi_indices(n + 1, lower)
+        .iter()
+        .map(|beta| (0..=n).map(|v| raise(beta, v)).collect())
+        .collect()
 }
 
 /// n over k.
@@ -197,103 +220,4 @@ pub fn barycentric_jets<T: Real, const N: usize>(points: &Points, block: usize) 
     let mut lambda = vec![origin];
     lambda.extend((0..N).map(|m| Jet2::coordinate(points.block::<T>(block, m + 1), m)));
     lambda
-}
-
-/// All B_α with their derivatives in the reference coordinates of an N-simplex at points, by blocks, laid out for the
-/// sums Σ_α c_α B_α: a sum reads what it needs and nothing else.
-#[derive(Clone, Debug)]
-pub struct JetTable<T, const N: usize> {
-    /// How many α.
-    size: usize,
-    /// B_α, by block and α.
-    values: Vec<T>,
-    /// ∂_m B_α.
-    first: Vec<[T; N]>,
-    /// ∂_m∂_n B_α with m ≤ n, row by row.
-    second: Vec<T>,
-}
-
-impl<T: Real, const N: usize> JetTable<T, N> {
-    /// Of a basis at points.
-    pub fn new(basis: &Bernstein, points: &Points) -> Self {
-        let mut table = Self {
-            size: basis.len(),
-            values: Vec::new(),
-            first: Vec::new(),
-            second: Vec::new(),
-        };
-        for b in 0..points.blocks::<T>() {
-            let lambda = barycentric_jets::<T, N>(points, b);
-            for a in 0..basis.len() {
-                table.push(&basis.value(a, &lambda));
-            }
-        }
-        table
-    }
-
-    /// The next B_α of a block.
-    fn push(&mut self, b: &Jet2<T, N>) {
-        self.values.push(b.value);
-        self.first.push(b.d);
-        for m in 0..N {
-            self.second.extend_from_slice(&b.dd[m][m..]);
-        }
-    }
-
-    /// Σ_α c_α B_α at a block.
-    #[inline]
-    pub fn value<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> T {
-        let mut sum = T::zero();
-        for (c, b) in c.iter().zip(&self.values[block * self.size..]) {
-            sum += c.lift() * *b;
-        }
-        sum
-    }
-
-    /// With first derivatives.
-    #[inline]
-    pub fn jet1<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> Jet1<T, N> {
-        let mut sum = Jet1::constant(T::zero());
-        let start = block * self.size;
-        let rows = self.values[start..].iter().zip(&self.first[start..]);
-        for (c, (b, d)) in c.iter().zip(rows) {
-            let c = c.lift();
-            sum.value += c * *b;
-            for m in 0..N {
-                sum.d[m] += c * d[m];
-            }
-        }
-        sum
-    }
-
-    /// With second derivatives.
-    #[inline]
-    pub fn jet2<C: Lift<T> + Copy>(&self, block: usize, c: &[C]) -> Jet2<T, N> {
-        let mut sum = Jet2::constant(T::zero());
-        let (start, packed) = (block * self.size, N * (N + 1) / 2);
-        let rows = self.values[start..].iter().zip(&self.first[start..]);
-        let second = self.second[start * packed..].chunks_exact(packed);
-        for (c, ((b, d), dd)) in c.iter().zip(rows.zip(second)) {
-            let c = c.lift();
-            sum.value += c * *b;
-            let mut p = 0;
-            for m in 0..N {
-                sum.d[m] += c * d[m];
-                for n in 0..N {
-                    if m <= n {
-                        sum.dd[m][n] += c * dd[p];
-                        p += 1;
-                    }
-                }
-            }
-        }
-        for m in 0..N {
-            for n in 0..N {
-                if n < m {
-                    sum.dd[m][n] = sum.dd[n][m];
-                }
-            }
-        }
-        sum
-    }
 }
