@@ -23,6 +23,7 @@ mod projection;
 mod quadrature;
 mod regge;
 mod regular;
+mod rounding;
 mod scalars;
 mod threads;
 mod tolerances;

@@ -83,6 +83,17 @@ impl<const N: usize> Derivatives<N> {
         all
     }
 
+    /// Calls `change` with what this many polynomials have for each α, β and γ: a chunk for each polynomial.
+    pub fn each_row<C>(&self, count: usize, all: &mut [C], mut change: impl FnMut(&mut [C])) {
+        let mut rest = all;
+        let [values, first, second] = [self.size, self.first.len(), self.second.len()];
+        for (rows, width) in [(values, 1), (first, N), (second, pairs(N))] {
+            let own = rest.split_off_mut(..rows * width * count);
+            let own = own.expect("polynomials are followed by their derivatives");
+            own.chunks_exact_mut(width * count).for_each(&mut change);
+        }
+    }
+
     /// The coefficients of ∂_m of a single polynomial, from those that follow it.
     pub fn along<'a, C: Copy>(&self, c: &'a [C], m: usize) -> impl Iterator<Item = C> + 'a {
         let first = &c[self.size..][..N * self.first.len()];

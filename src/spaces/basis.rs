@@ -1,6 +1,6 @@
 //! One function of the basis, as a field of its own.
 
-use super::function::components_from_edges;
+use super::function::with_derivatives;
 use super::regge::ReggeSpace;
 use crate::field::{Evaluate, TensorField};
 use crate::jet::{Jet1, Jet2};
@@ -37,11 +37,10 @@ impl<T: Real, const N: usize> Evaluate<T, N> for BasisFunction<N> {
         let space = &self.space;
         let slots = space.slots().iter().flatten();
         let is_mine = |slot| space.numbering().of_cell(space.mesh(), cell, slot) == self.index;
-        let mut local: Vec<f64> = slots
+        let edges: Vec<f64> = slots
             .map(|&slot| f64::from(u8::from(is_mine(slot))))
             .collect();
-        components_from_edges::<f64, N>(&mut local);
-        space.derivatives().follow(N * (N + 1) / 2, &local)
+        with_derivatives(space, &edges)
     }
 
     fn jet2(&self, local: &Vec<f64>, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {

@@ -166,9 +166,25 @@ fn edge_component<F: Field, const N: usize>(g: &Mat<F, N>, [a, b]: [usize; 2]) -
     }
 }
 
+/// The coefficients of the components and of their derivatives on a cell, as tables read them, from those of the edge
+/// components, `[edge][α]`.
+///
+/// Differences come first: edge components are nearly the same all over a small cell, so that theirs are exact, and what is
+/// rounded when they are put together is as small as the derivative. The other way round the rounding of g_ij itself
+/// would be divided by h².
+pub(super) fn with_derivatives<C: Field, const N: usize>(
+    space: &ReggeSpace<N>,
+    edges: &[C],
+) -> Vec<C> {
+    let (derivatives, count) = (space.derivatives(), N * (N + 1) / 2);
+    let mut all = derivatives.follow(count, edges);
+    derivatives.each_row(count, &mut all, components_from_edges::<C, N>);
+    all
+}
+
 /// From the coefficients of the edge components, `[edge][α]`, those of g_ii = q_0i, then, pair by pair i < j in the
 /// order of the edges that do not meet vertex 0, of g_ij = ½(q_0i + q_0j − q_ij).
-pub(super) fn components_from_edges<C: Field, const N: usize>(q: &mut [C]) {
+fn components_from_edges<C: Field, const N: usize>(q: &mut [C]) {
     let size = q.len() / (N * (N + 1) / 2);
     let (diagonal, rest) = q.split_at_mut(N * size);
     let mut others = rest.chunks_exact_mut(size);
@@ -195,10 +211,7 @@ where
     }
 
     fn on_cell(&self, cell: usize) -> Vec<C> {
-        let components = self.components(cell, |c| c);
-        self.space
-            .derivatives()
-            .follow(N * (N + 1) / 2, &components)
+        with_derivatives(&self.space, &self.local(cell))
     }
 
     #[inline]
