@@ -9,7 +9,9 @@ pub use zero::zero_norm;
 use crate::best::Form;
 use crate::local::{Gram, function_components, functions, tensor_components, tensors};
 use crate::pieces::{Pieces, Unknowns, stretch};
+use nalgebra::DMatrix;
 use regge_curvature::Error;
+use regge_curvature::linalg::Mat;
 use regge_curvature::quadrature::Rule;
 
 /// Terms Σ_T h_T^power |·|²_{H^order(T)}.
@@ -24,24 +26,13 @@ pub fn of_tensors<const N: usize>(
     u: &Unknowns<N>,
     terms: Terms<'_>,
 ) -> Result<Form, Error> {
-    let rule = Rule::new(N, 2 * u.tensors.degree());
-    let basis = tensors(&pieces.regge_apart(u.tensors.degree()), rule.points())?;
+    let degree = u.tensors.degree();
+    let rule = Rule::new(N, 2 * degree);
+    let basis = tensors(&pieces.regge_apart(degree), rule.points())?;
     let mut form = Form::zero(u.len());
     for cell in 0..pieces.mesh.cell_count() {
-        let (frame, h) = (pieces.euclidean_frame(cell), pieces.diameter(cell));
-        let volume = stretch(&pieces.mesh, cell);
-        let mut gram = Gram::new(basis[0].len());
-        for (point, weight) in rule.weights().iter().enumerate() {
-            for &(order, power) in terms
-                .iter()
-                .filter(|(order, _)| *order <= u.tensors.degree())
-            {
-                let of = |psi| tensor_components(psi, &frame, order);
-                let all: Vec<_> = basis[point].iter().map(of).collect();
-                gram.add(weight * volume * h.powi(power), &all);
-            }
-        }
-        form.add(&u.of_tensors(cell), &gram.matrix());
+        let gram = seminorms(pieces, cell, &rule, terms, &basis, tensor_components);
+        form.add(&u.of_tensors(cell), &gram);
     }
     Ok(form)
 }
@@ -52,19 +43,33 @@ pub fn of_functions<const N: usize>(pieces: &Pieces<N>, u: &Unknowns<N>, terms: 
     let basis = functions(u.functions.degree(), rule.points());
     let mut form = Form::zero(u.len());
     for cell in 0..pieces.mesh.cell_count() {
-        let (frame, h) = (pieces.euclidean_frame(cell), pieces.diameter(cell));
-        let volume = stretch(&pieces.mesh, cell);
-        let mut gram = Gram::new(basis[0].len());
-        for (point, weight) in rule.weights().iter().enumerate() {
-            for &(order, power) in terms {
-                let of = |v| function_components(v, &frame, order);
-                let all: Vec<_> = basis[point].iter().map(of).collect();
-                gram.add(weight * volume * h.powi(power), &all);
-            }
-        }
-        form.add(&u.of_functions(cell), &gram.matrix());
+        let gram = seminorms(pieces, cell, &rule, terms, &basis, function_components);
+        form.add(&u.of_functions(cell), &gram);
     }
     form
+}
+
+/// The matrix of a sum of seminorms on one cell, over a basis at the points of a rule; `components` has the derivatives of an order in a frame.
+fn seminorms<X, const N: usize>(
+    pieces: &Pieces<N>,
+    cell: usize,
+    rule: &Rule,
+    terms: Terms<'_>,
+    basis: &[Vec<X>],
+    components: fn(&X, &Mat<f64, N>, usize) -> Vec<f64>,
+) -> DMatrix<f64> {
+    let (frame, h) = (pieces.euclidean_frame(cell), pieces.diameter(cell));
+    let volume = stretch(&pieces.mesh, cell);
+    let mut gram = Gram::new(basis[0].len());
+    for (weight, here) in rule.weights().iter().zip(basis) {
+        for &(order, power) in terms {
+            let all: Vec<_> = (here.iter())
+                .map(|x| components(x, &frame, order))
+                .collect();
+            gram.add(weight * volume * h.powi(power), &all);
+        }
+    }
+    gram.matrix()
 }
 
 /// Which faces a norm of section 4 sums over, and with which power of h_F.
