@@ -1,13 +1,14 @@
 //! Floor 2. The meshes and Regge metrics on which bounds are measured.
 
+mod metrics;
+
+pub use metrics::{near, near_by, noisy, smooth};
+
 use crate::delaunay::Delaunay;
-use crate::pieces::Pieces;
+use crate::pieces::{Pieces, shape_regularity};
 use regge_curvature::Error;
-use regge_curvature::interpolate::Interpolant;
 use regge_curvature::linalg::{Vector, vector};
 use regge_curvature::mesh::{Mesh, SplitMix64};
-use regge_curvature::metrics::{Metric, Smooth, SmoothTensor};
-use regge_curvature::spaces::{ReggeFunction, ReggeSpace};
 
 /// The patterns of vertices and coefficients repeat after so many cubes: the same few shapes of cells at every level, so that a
 /// best constant changes with h and not with how unlucky the worst of ever more random cells is.
@@ -118,16 +119,22 @@ pub fn alfeld<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> 
 }
 
 /// Delaunay's triangulation of the vertices and the midpoints of cubes, both moved in a random periodic pattern by up to a tenth of a cube's
-/// edge, those on the boundary along it: no two vertices see the same, and hinges have valences of their own.
+/// edge, those on the boundary along it. No two vertices see the same, but cells in the interior are still those of the lattice of cubes
+/// and midpoints.
 ///
 /// # Errors
-/// If rounding leaves a boundary that is not one of a manifold: for N = 3 and many cubes, where four points of it are nearly on a circle.
+/// Never, for a side above 0.
 pub fn delaunay<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
+    delaunay_by(side, seed, 0.1)
+}
+
+/// The same with vertices moved by up to this share of a cube's edge.
+fn delaunay_by<const N: usize>(side: usize, seed: u64, share: f64) -> Result<Mesh<N>, Error> {
     let mut all = Delaunay::new(&Mesh::<N>::cube(1)?)?;
     let edge = 2.0 / side as f64;
     let by = |at: [usize; N], i: usize, kind: usize| {
         let key = at.map(|i| i % PERIOD).into_iter().chain([i, kind]);
-        0.1 * edge * pattern(seed, key)
+        share * edge * pattern(seed, key)
     };
     for number in 0..(side + 1).pow(N as u32) {
         let at = place::<N>(number, side + 1);
@@ -145,6 +152,26 @@ pub fn delaunay<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error
         }
     }
     all.mesh()
+}
+
+/// In a pattern without slivers h_T/ρ_T is at most this; about one pattern in ten is of this kind for N = 3, nearly all for N = 2.
+const NO_SLIVER: f64 = 20.0;
+
+/// Delaunay's triangulation with vertices moved so far, by a fifth of a cube's edge, that cells are those of no lattice: for N = 3 between 3 and
+/// 8 of them meet at an edge. Patterns with slivers, which Delaunay's property does not exclude in space, are passed over.
+///
+/// # Errors
+/// Never, for a side above 0.
+pub fn unstructured<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
+    // The pattern has a period of two cubes: all shapes that it has are there with four cubes a side.
+    let few = 2 * PERIOD;
+    let has_slivers = |seed: &u64| {
+        let mesh = delaunay_by::<N>(few, *seed, 0.2);
+        !mesh.is_ok_and(|mesh| shape_regularity(&mesh) <= NO_SLIVER)
+    };
+    let mut seeds = (0..).map(|attempt: u64| seed.wrapping_add(attempt << 32));
+    let seed = seeds.find(|seed| !has_slivers(seed)).unwrap_or(seed);
+    delaunay_by(side, seed, 0.2)
 }
 
 /// Graded towards the centre: cubes' surfaces go to cubes' surfaces, those at distance ρ to ρ², so that cells are ever smaller there
@@ -197,64 +224,4 @@ pub fn squeezed<const N: usize>(mesh: &Mesh<N>, factors: [f64; N]) -> Result<Mes
             .map(|p| vector(|i| factors[i] * p[i]))
             .collect(),
     )
-}
-
-/// The smooth metric of these measurements: it has no symmetry.
-///
-/// # Errors
-/// If the mesh has no coordinates.
-pub fn smooth<const N: usize>(mesh: &Mesh<N>) -> Result<Smooth<Metric, N>, Error> {
-    Smooth::new(mesh, Metric::Trig)
-}
-
-/// A Regge metric near g on a cube's mesh: the canonical interpolant, its coefficients times 1 + a ξ with ξ from [−1, 1) in a
-/// random periodic pattern.
-///
-/// # Errors
-/// If g is not positive definite.
-pub fn near<M: SmoothTensor<N>, const N: usize>(
-    g: &Smooth<M, N>,
-    r: usize,
-    a: f64,
-    seed: u64,
-) -> Result<ReggeFunction<f64, N>, Error> {
-    near_by(g, r, &|_, _| a, seed)
-}
-
-/// The same with an amplitude that depends on the simplex that a coefficient belongs to, by its dimension and number.
-///
-/// # Errors
-/// If g is not positive definite.
-pub fn near_by<M: SmoothTensor<N>, const N: usize>(
-    g: &Smooth<M, N>,
-    r: usize,
-    amplitude: &dyn Fn(&Mesh<N>, (usize, usize)) -> f64,
-    seed: u64,
-) -> Result<ReggeFunction<f64, N>, Error> {
-    let (space, mesh) = (ReggeSpace::new(g.mesh(), r), g.mesh());
-    let canonical = Interpolant::canonical()
-        .with_order(2 * r + 6)
-        .apply(&space, g)?;
-    let side = (mesh.count(0) as f64).powf(1.0 / N as f64).round() as usize;
-    // A torus has as many vertices as cubes in a direction, and its grid begins anew there.
-    let closed = mesh.is_closed();
-    let side = if closed { side } else { side - 1 };
-    let (mut owner, mut number) = ((0, 0), 0);
-    let shaken = canonical.coefficients().iter().enumerate().map(|(dof, c)| {
-        let now = space.numbering().owner(dof);
-        number = if now == owner { number + 1 } else { 0 };
-        owner = now;
-        let vertices = mesh.vertices(now.0, now.1);
-        let grid = if closed { side } else { side + 1 };
-        let places: Vec<[usize; N]> = (vertices.iter())
-            .map(|&vertex| place(vertex as usize, grid))
-            .collect();
-        // Where the first vertex is in its block, and the others relative to it, one to the right or left.
-        let relative = (places.iter())
-            .flat_map(|p| (0..N).map(|i| ((p[i] + grid - places[0][i]) % grid).min(2)));
-        let block = places[0].map(|i| i % PERIOD).into_iter();
-        let key: Vec<usize> = block.chain(relative).chain([number]).collect();
-        c * (1.0 + amplitude(mesh, now) * pattern(seed, key.into_iter()))
-    });
-    space.function(shaken.collect())
 }
