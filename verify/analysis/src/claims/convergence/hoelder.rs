@@ -18,7 +18,7 @@ pub const A36: Claim = Claim {
     statement: r"\Big(\sum_Th_T^{2j}|g_h-g|_{H^j(T)}^2\Big)^{1/2} \le |\Omega|^{1/2-1/p}\Big(\sum_Th_T^{jp}|g_h-g|_{W^{j,p}(T)}^p\Big)^{1/p},
         \qquad j=0,1,2,\ p\in[2,\infty]",
     how: "Left over right side for the canonical interpolant and its noisy neighbours on random meshes, p = 2, 3, 6 and ∞, j = 0, 1, 2: at most 1, and 1 is \
-        reached for p = 2. Forged: without the power of |Ω|, on (−1, 1)^N.",
+        reached for p = 2. Of sums with positive weights the inequality is Jensen's, whatever g_h is: what this can refute are the powers of |Ω| and of h_T. Forged: without the power of |Ω|, on (−1, 1)^N.",
     measure: hoelder,
 };
 

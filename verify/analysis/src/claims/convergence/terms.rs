@@ -62,7 +62,7 @@ fn norms(
 }
 
 /// Where meshes of up to twelve cubes a side (eight for r = 1) are too coarse for an order: what is seen there is reported, and
-/// it may be below what is claimed by up to a half.
+/// it may be below what is claimed by about half an order.
 fn is_coarse(r: usize, is_canonical: bool, term: usize) -> bool {
     match (r, is_canonical) {
         (0, false) => term == 0,
