@@ -76,11 +76,7 @@ pub fn torus<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> {
     let torus = Mesh::<N>::torus(side)?;
     let (mut cells, mut corners) = (Vec::new(), Vec::new());
     for cell in 0..torus.cell_count() {
-        let vertices: Vec<usize> = torus
-            .vertices(N, cell)
-            .iter()
-            .map(|v| *v as usize)
-            .collect();
+        let vertices = corners_of(&torus, cell);
         let corner = |(i, vertex): (usize, &usize)| {
             let at = place::<N>(*vertex, side).map(|i| i % PERIOD);
             let move_by = |i: usize| 0.25 / side as f64 * pattern(seed, at.into_iter().chain([i]));
@@ -102,11 +98,7 @@ pub fn alfeld<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> 
     let points = whole.points().ok_or(Error::NoCoordinates("a mesh"))?;
     let (mut points, mut cells) = (points.to_vec(), Vec::new());
     for cell in 0..whole.cell_count() {
-        let vertices: Vec<usize> = whole
-            .vertices(N, cell)
-            .iter()
-            .map(|v| *v as usize)
-            .collect();
+        let vertices = corners_of(&whole, cell);
         let sum: Vector<f64, N> = vertices.iter().map(|v| points[*v]).sum();
         for left_out in 0..=N {
             let mut part = vertices.clone();
@@ -188,9 +180,15 @@ pub fn graded<const N: usize>(side: usize, seed: u64) -> Result<Mesh<N>, Error> 
 
 /// The cells of a mesh with other points.
 fn moved<const N: usize>(mesh: &Mesh<N>, points: Vec<Vector<f64, N>>) -> Result<Mesh<N>, Error> {
-    let cell = |cell| mesh.vertices(N, cell).iter().map(|v| *v as usize).collect();
-    let cells: Vec<Vec<usize>> = (0..mesh.cell_count()).map(cell).collect();
+    let cells = 0..mesh.cell_count();
+    let cells: Vec<Vec<usize>> = cells.map(|cell| corners_of(mesh, cell)).collect();
     Mesh::new(points, &cells)
+}
+
+/// The vertices of a cell.
+fn corners_of<const N: usize>(mesh: &Mesh<N>, cell: usize) -> Vec<usize> {
+    let vertices = mesh.vertices(N, cell).iter();
+    vertices.map(|vertex| *vertex as usize).collect()
 }
 
 /// The same, taken apart, with h.
