@@ -149,6 +149,8 @@ fn apart<const N: usize>(a: &Sums<Twice>, b: &Sums<Twice>, h: f64) -> [f64; 3] {
     std::array::from_fn(|codimension| {
         let (a, b) = lists[codimension];
         let differences: Vec<f64> = a.iter().zip(b).map(|(a, b)| (*a - *b).0.hi()).collect();
+        // The largest of a list passes over what is no number.
+        assert!(differences.iter().all(|x| x.is_finite()));
         largest(&differences) / h.powi((N - codimension) as i32)
     })
 }
