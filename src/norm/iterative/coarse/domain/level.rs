@@ -49,8 +49,10 @@ pub(super) struct Row<const N: usize> {
     pub patch: Patch<N>,
 }
 
-/// A diagonal entry below this part of a deep spline's is one of a spline that hardly touches the mesh.
-const NOTHING: f64 = 1e-20;
+/// A diagonal entry below this part of a deep spline's is one of a spline that hardly touches the mesh: what P makes of it is below
+/// 1e-5 in size, and single precision leaves an error of up to 1e-7 there. With less, a spline whose edge lies on vertices
+/// (meshes along the lattice, p = 1) has nothing but rounding, 1e-10, in its row, and the inverse makes much of it.
+const NOTHING: f64 = 1e-10;
 
 impl<const N: usize> Plane<N> {
     /// Rows of zeros.
