@@ -77,6 +77,19 @@ pub(crate) fn collect<R: Send>(count: usize, compute: impl Fn(usize) -> R + Sync
     all
 }
 
+/// Sorts what has no two equal items, so that there is one result.
+#[cfg(feature = "parallel")]
+pub(crate) fn sort<T: Ord + Send>(items: &mut [T]) {
+    use rayon::prelude::*;
+    items.par_sort_unstable();
+}
+
+/// Sorts what has no two equal items, so that there is one result.
+#[cfg(not(feature = "parallel"))]
+pub(crate) fn sort<T: Ord + Send>(items: &mut [T]) {
+    items.sort_unstable();
+}
+
 /// `compute(i)` for start ≤ i < end.
 fn map<R: Send>(
     start: usize,

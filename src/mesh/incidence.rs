@@ -1,6 +1,7 @@
 //! All simplices of a complex and who contains whom.
 
 use crate::Error;
+use crate::parallel::{collect, sort};
 use crate::simplex::{binomial, subsets};
 use std::ops::{BitOr, Shl};
 
@@ -26,6 +27,13 @@ pub(super) struct Stars {
     pub entries: Vec<(u32, u8)>,
 }
 
+impl Layer {
+    /// The cells that contain a simplex, with its place in the cell.
+    fn star(&self, s: usize) -> &[(u32, u8)] {
+        &self.stars.entries[self.stars.offsets[s]..self.stars.offsets[s + 1]]
+    }
+}
+
 /// Every layer k = 0…N−1 of a list of cells with N+1 ascending vertices each.
 pub(super) fn layers(n: usize, cells: &[u32], vertices: usize) -> Result<Vec<Layer>, Error> {
     let bits = (usize::BITS - vertices.leading_zeros()).max(1) as usize;
@@ -43,9 +51,9 @@ pub(super) fn layers(n: usize, cells: &[u32], vertices: usize) -> Result<Vec<Lay
 }
 
 /// A number that holds the vertices of a simplex, one after the other.
-trait Key: Copy + Ord + From<u32> + Shl<usize, Output = Self> + BitOr<Output = Self> {}
+trait Key: Copy + Ord + Send + From<u32> + Shl<usize, Output = Self> + BitOr<Output = Self> {}
 
-impl<K: Copy + Ord + From<u32> + Shl<usize, Output = K> + BitOr<Output = K>> Key for K {}
+impl<K: Copy + Ord + Send + From<u32> + Shl<usize, Output = K> + BitOr<Output = K>> Key for K {}
 
 /// One layer: every cell lists its k-simplices by a packed key; equal keys are one simplex.
 fn layer<K: Key>(n: usize, k: usize, cells: &[u32], bits: usize) -> Layer {
@@ -60,7 +68,7 @@ fn layer<K: Key>(n: usize, k: usize, cells: &[u32], bits: usize) -> Layer {
             keyed.push((key, c as u32, place as u8));
         }
     }
-    keyed.sort_unstable();
+    sort(&mut keyed);
     let mut layer = Layer {
         vertices: Vec::new(),
         of_cell: vec![0; count * local.len()],
@@ -114,34 +122,52 @@ pub(super) fn mark_boundary(n: usize, layers: &mut [Layer]) {
 
 /// The first simplex of codimension ≥ 2 whose cells are not connected through faces that contain it.
 pub(super) fn pinched(n: usize, layers: &[Layer]) -> Option<(Vec<usize>, usize)> {
-    let faces = &layers[n - 1];
-    let mut parent: Vec<usize> = Vec::new();
     for (k, layer) in layers[..n - 1].iter().enumerate() {
-        let local = subsets(n + 1, k + 1);
-        for s in 0..layer.interior.len() {
-            let star = &layer.stars.entries[layer.stars.offsets[s]..layer.stars.offsets[s + 1]];
-            parent.clear();
-            parent.extend(0..star.len());
-            let mut parts = star.len();
-            for (i, &(cell, place)) in star.iter().enumerate() {
-                for opposite in (0..=n).filter(|o| !local[place as usize].contains(o)) {
-                    let face = faces.of_cell[cell as usize * (n + 1) + n - opposite] as usize;
-                    let [start, end] = [faces.stars.offsets[face], faces.stars.offsets[face + 1]];
-                    for &(other, _) in &faces.stars.entries[start..end] {
-                        // Star entries ascend by cell, as the sort made them.
-                        if let Ok(j) = star.binary_search_by_key(&other, |e| e.0) {
-                            parts -= usize::from(unite(&mut parent, i, j));
-                        }
-                    }
-                }
-            }
-            if parts > 1 {
-                let vertices = layer.vertices[s * (k + 1)..(s + 1) * (k + 1)].iter();
-                return Some((vertices.map(|&v| v as usize).collect(), star[0].0 as usize));
-            }
+        let (count, local) = (layer.interior.len(), subsets(n + 1, k + 1));
+        let first = |piece: usize| {
+            let (from, mut parent) = (piece * PIECE, Vec::new());
+            let mut simplices = from..(from + PIECE).min(count);
+            simplices.find(|&s| !connected(layer.star(s), &layers[n - 1], &local, &mut parent))
+        };
+        if let Some(s) = collect(count.div_ceil(PIECE), first)
+            .into_iter()
+            .flatten()
+            .next()
+        {
+            let vertices = layer.vertices[s * (k + 1)..(s + 1) * (k + 1)].iter();
+            let cell = layer.star(s)[0].0;
+            return Some((vertices.map(|&v| v as usize).collect(), cell as usize));
         }
     }
     None
+}
+
+/// How many simplices one thread looks at before it looks for others.
+const PIECE: usize = 1 << 12;
+
+/// Are the cells around a simplex connected through faces that contain it? `local` are the vertices of a cell's simplices of its
+/// dimension, `parent` is overwritten.
+fn connected(
+    star: &[(u32, u8)],
+    faces: &Layer,
+    local: &[Vec<usize>],
+    parent: &mut Vec<usize>,
+) -> bool {
+    parent.clear();
+    parent.extend(0..star.len());
+    let (n, mut parts) = (faces.per_cell - 1, star.len());
+    for (i, &(cell, place)) in star.iter().enumerate() {
+        for opposite in (0..=n).filter(|o| !local[place as usize].contains(o)) {
+            let face = faces.of_cell[cell as usize * (n + 1) + n - opposite];
+            for &(other, _) in faces.star(face as usize) {
+                // Star entries ascend by cell, as the sort made them.
+                if let Ok(j) = star.binary_search_by_key(&other, |e| e.0) {
+                    parts -= usize::from(unite(parent, i, j));
+                }
+            }
+        }
+    }
+    parts == 1
 }
 
 /// Joins the classes of i and j; false if they were one already.

@@ -10,7 +10,7 @@ use super::stencil::{Grid, Jet, Short, Stencil};
 use crate::linalg::Vector;
 use crate::norm::hhj::Hhj;
 use crate::norm::iterative::skeleton::Skeleton;
-use crate::parallel::for_chunks;
+use crate::parallel::{collect, for_chunks};
 use crate::simplex::{Bernstein, Points, multi_indices};
 use nalgebra::DMatrix;
 use std::sync::Arc;
@@ -59,8 +59,8 @@ impl<const N: usize> Transfer<N> {
             normals: Vec::new(),
         };
         let layer = &order.layers[N - 1];
-        let normal = |&face: &u32| transfer.normal(face as usize).map(|x| x as Short);
-        transfer.normals = layer.simplices[..layer.free].iter().map(normal).collect();
+        let normal = |face: usize| transfer.normal(layer.simplices[face] as usize);
+        transfer.normals = collect(layer.free, |face| normal(face).map(|x| x as Short));
         transfer
     }
 

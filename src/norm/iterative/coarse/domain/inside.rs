@@ -3,6 +3,7 @@
 use super::super::patch::Patch;
 use super::super::transfer::Transfer;
 use crate::linalg::Vector;
+use crate::parallel::collect;
 
 /// What is known of a box.
 #[derive(Clone, Copy, PartialEq)]
@@ -70,8 +71,9 @@ impl<const N: usize> Boxes<N> {
     /// Goes from box to box, beginning at the centres of the cells.
     fn flood(&mut self, transfer: &Transfer<N>) {
         let mut waiting: Vec<[usize; N]> = Vec::new();
-        for cell in 0..transfer.hhj.mesh().cell_count() {
-            waiting.push(transfer.reached(&[transfer.hhj.shape(cell).centre]).low);
+        let begin = |cell| transfer.reached(&[transfer.hhj.shape(cell).centre]).low;
+        for site in collect(transfer.hhj.mesh().cell_count(), begin) {
+            waiting.push(site);
             while let Some(site) = waiting.pop() {
                 let place = &mut self.places[self.whole.position(&site)];
                 if *place != Place::Unknown {

@@ -14,6 +14,7 @@ use crate::linalg::Vector;
 use crate::norm::hhj::{Hhj, Size};
 use crate::norm::iterative::cg::axpy;
 use crate::norm::iterative::chebyshev::{Chebyshev, Room};
+use crate::parallel::collect;
 use level::{Kind, Level};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
@@ -46,7 +47,8 @@ pub(super) fn background<const N: usize>(hhj: &Hhj<N>) -> Result<Grid<N>, Error>
     }
     // The reference simplex has 1/N! of the volume of its cube.
     let cells = hhj.mesh().cell_count();
-    let volume: f64 = (0..cells).map(|cell| hhj.shape(cell).volume).sum();
+    let volumes = collect(cells, |cell| hhj.shape(cell).volume);
+    let volume: f64 = volumes.into_iter().sum();
     let mean = (volume / cells as f64).powf(1.0 / N as f64);
     let density = hhj.space().degree().max(2) as f64 / (coarseness(N) * mean);
     let boxes = (upper - lower).map(|extent| (extent * density).ceil().max(1.0));
