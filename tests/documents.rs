@@ -165,10 +165,10 @@ fn what_is_no_function_is_refused() {
 #[test]
 fn sums_belong_to_the_same_functions() {
     let good = json!({"cells": [1.0], "faces": [2.0], "hinges": [3.0]});
-    refused::<regge_curvature::functional::Sums<f64>>(
-        &good,
-        "/faces",
-        json!([]),
-        "for 1, 0 and 1 test functions",
-    );
+    for (list, said) in [
+        ("/faces", "for 1, 0 and 1 test functions"),
+        ("/hinges", "for 1, 1 and 0 test functions"),
+    ] {
+        refused::<regge_curvature::functional::Sums<f64>>(&good, list, json!([]), said);
+    }
 }

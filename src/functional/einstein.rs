@@ -5,7 +5,7 @@ use super::seen::{OnCell, Seen, Sites, all_sites};
 use super::walk::pair;
 use super::{Rules, Sums, Three};
 use crate::field::{Evaluate, TensorField};
-use crate::formulas::Formulas;
+use crate::formulas::{Formulas, times};
 use crate::linalg::Mat;
 use crate::mesh::Mesh;
 use crate::scalar::Real;
@@ -244,7 +244,7 @@ where
     fn in_cell(&self, (g, at): &Self::Local, block: usize, out: &mut [T]) {
         self.seen.inside(g, block, |inside, connection| {
             let (einstein, omega) = inside.einstein();
-            let factor = omega * T::from_int(self.formulas.a_cells);
+            let factor = times(self.formulas.a_cells, omega);
             let mut out = out.iter_mut();
             self.against.each(at, 0, 0, block, |psi| {
                 *out.next().expect("a number for each tensor") =
@@ -257,7 +257,7 @@ where
     fn on_face(&self, (g, at): &Self::Local, place: usize, block: usize, out: &mut [T]) {
         self.seen.side(g, place, block, |side| {
             let reversed = side.trace_reversed();
-            let factor = side.normal.omega * T::from_int(self.formulas.a_faces);
+            let factor = times(self.formulas.a_faces, side.normal.omega);
             let mut out = out.iter_mut();
             self.against.each(at, 1, place, block, |psi| {
                 *out.next().expect("a number for each tensor") =
@@ -276,7 +276,7 @@ where
     ) -> T {
         self.seen.corner(g, place, block, |corner| {
             if let Some(factors) = factors {
-                let factor = corner.omega() * T::from_int(self.formulas.a_hinges);
+                let factor = times(self.formulas.a_hinges, corner.omega());
                 let mut factors = factors.iter_mut();
                 self.against.each(at, 2, place, block, |psi| {
                     *factors.next().expect("a number for each tensor") = corner.trace(psi) * factor;

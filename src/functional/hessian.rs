@@ -4,7 +4,7 @@ use super::seen::{Sites, weights};
 use super::{Rules, Sums};
 use crate::density::{Normal, omega, outward};
 use crate::field::{Evaluate, TensorField};
-use crate::formulas::Formulas;
+use crate::formulas::{Formulas, times};
 use crate::jet::{Jet1, Jet2};
 use crate::linalg::{Vector, contract, double_contract, inverse_and_det, sandwich};
 use crate::parallel::rows_in_order;
@@ -124,7 +124,7 @@ where
         let sigma = self.sigma.value(&at.1, table_sigma, block);
         let s_sigma = connection.reverse_trace(self.formulas, &sigma);
         let raised = sandwich(&connection.inverse, &s_sigma);
-        let factor = T::from_int(self.formulas.b_cells) * weight;
+        let factor = times(self.formulas.b_cells, weight);
         let density = omega(self.formulas, connection.det) * factor;
         for (a, v) in acc.iter_mut().zip(&self.basis[0][block]) {
             *a += double_contract(&raised, &connection.hessian(v)) * density;
@@ -147,7 +147,7 @@ where
         let (inverse, det) = inverse_and_det(&g);
         let normal = Normal::new(self.formulas, &inverse, det, &nu);
         let s_sigma = reverse_trace(self.formulas, &g, &inverse, &sigma);
-        let factor = T::from_int(self.formulas.b_faces) * weight;
+        let factor = times(self.formulas.b_faces, weight);
         let density = normal.normal_normal(&s_sigma) * normal.omega * factor;
         for (a, v) in acc.iter_mut().zip(&self.basis[place][block]) {
             let dv = differential(v).map(|d: Jet1<T, N>| d.value);

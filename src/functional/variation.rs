@@ -12,7 +12,7 @@ use super::seen::{OnCell, Seen, Sites, all_sites};
 use super::walk::pair;
 use super::{Rules, Sums, a_h, b_h};
 use crate::field::{Evaluate, TensorField};
-use crate::formulas::Formulas;
+use crate::formulas::{Formulas, times};
 use crate::jet::Jet1;
 use crate::linalg::{contract, double_contract, sandwich};
 use crate::riemann::differential;
@@ -169,11 +169,11 @@ where
     /// (⟨𝕊ψ, ∇∇v⟩ − ⟨G, ψ⟩ v) ω.
     fn in_cell(&self, (g, v): &Self::Local, block: usize, out: &mut [T]) {
         let v = self.tables[0][0].jet2(block, v);
-        let [b, a] = [self.formulas.b_cells, self.formulas.a_cells].map(T::from_int);
         self.seen.inside(g, block, |inside, connection| {
             let (einstein, omega) = inside.einstein();
             let hessian = sandwich(&connection.inverse, &connection.hessian(&v));
-            let (b, a) = (omega * b, omega * v.value * a);
+            let b = times(self.formulas.b_cells, omega);
+            let a = times(self.formulas.a_cells, omega * v.value);
             let mut out = out.iter_mut();
             self.directions.each(&(), 0, 0, block, |psi| {
                 let reversed = connection.reverse_trace(self.formulas, psi);
@@ -189,8 +189,8 @@ where
         self.seen.side(g, place, block, |side| {
             let dv = differential::<Jet1<T, N>, N>(&v);
             let slope = contract(&dv, &side.normal.n);
-            let b = slope * T::from_int(i64::from(self.with_b) * self.formulas.b_faces);
-            let a = v.value * T::from_int(i64::from(self.with_a) * self.formulas.a_faces);
+            let b = times(i64::from(self.with_b) * self.formulas.b_faces, slope);
+            let a = times(i64::from(self.with_a) * self.formulas.a_faces, v.value);
             let (b, a) = (side.normal.omega * b, side.normal.omega * a);
             let curved = side.trace_reversed();
             let mut out = out.iter_mut();
@@ -213,7 +213,7 @@ where
         self.seen.corner(g, place, block, |corner| {
             if let Some(factors) = factors {
                 let v = self.tables[2][place].value(block, v);
-                let factor = corner.omega() * v * T::from_int(-self.formulas.a_hinges);
+                let factor = times(-self.formulas.a_hinges, corner.omega() * v);
                 let mut factors = factors.iter_mut();
                 self.directions.each(&(), 2, place, block, |psi| {
                     *factors.next().expect("a number for each tensor") = corner.trace(psi) * factor;

@@ -55,8 +55,8 @@ impl<const N: usize> Derivatives<N> {
     /// by γ, polynomial, m and n.
     pub fn follow<C: Field>(&self, count: usize, coefficients: &[C]) -> Vec<C> {
         let size = coefficients.len() / count;
-        let (first, pairs) = (count * N, N * (N + 1) / 2);
-        let width = size + N * self.first.len() + pairs * self.second.len();
+        let first = count * N;
+        let width = size + N * self.first.len() + pairs(N) * self.second.len();
         let mut all = Vec::with_capacity(count * width);
         for alpha in 0..size {
             all.extend(coefficients[alpha..].iter().step_by(size));
@@ -80,6 +80,7 @@ impl<const N: usize> Derivatives<N> {
                 }
             }
         }
+        debug_assert_eq!(all.len(), count * width, "of one length for every cell");
         all
     }
 
