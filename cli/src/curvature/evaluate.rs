@@ -19,8 +19,8 @@ use regge_curvature::quadrature::Rule;
 use regge_curvature::spaces::{Indicators, Lagrange};
 
 /// What is said where R_h is, and there is a boundary.
-const OVERSHOOT: &str = "R_h, and K = R_h/2, is the projection of the interior's curvature: it vanishes on the boundary and \
-    overshoots beside it (docs/surfaces.md)";
+const OVERSHOOT: &str = "is the projection of the interior's curvature: it vanishes on the boundary and overshoots beside it \
+    (docs/surfaces.md)";
 
 /// The whole report. The curvature is evaluated once for each order of quadrature, whatever is asked for.
 pub fn report<const N: usize>(
@@ -65,7 +65,9 @@ pub fn report<const N: usize>(
         let (r_h, tested) = projected(given, &tests, &sums, request)?;
         (report.r_h, report.test_functions) = (Some(r_h), tested);
         if !mesh.is_closed() {
-            report.about.notes.push(OVERSHOOT.into());
+            // Gauss curvature is a surface's.
+            let projected = if N == 2 { "R_h, and K = R_h/2," } else { "R_h" };
+            report.about.notes.push(format!("{projected} {OVERSHOOT}"));
         }
     }
     report.vertices = vertex_sums(given, &tests.hats, &sums, report.r_h.as_ref(), request);
