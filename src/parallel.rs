@@ -1,7 +1,7 @@
 //! Floor 1. Work over many items, by threads where the feature `parallel` is on, with results taken in order.
 //!
 //! Threads are started in one function, [`spread`], that knows nothing of types: it is compiled once, in this library, and not
-//! for each type of result in each crate that uses it.
+//! for each type of result in each crate that uses it. [`sort`] is the exception, and is used in this library alone.
 
 use std::sync::{Mutex, PoisonError};
 
