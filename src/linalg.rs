@@ -191,19 +191,15 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
     for i in 1..N {
         det *= f[(i, i)];
     }
-    // M = L⁻¹, unit lower triangular.
+    // M = L⁻¹, unit lower triangular: what is below its diagonal.
     let mut m = zeros::<T, N>();
-    for j in 0..N {
-        for i in 0..N {
-            if i > j {
-                let mut sum = f[(i, j)];
-                for k in 0..N {
-                    if j < k && k < i {
-                        sum.add_product(f[(i, k)], m[(k, j)]);
-                    }
-                }
-                m[(i, j)] = -sum;
+    for i in 0..N {
+        for j in 0..i {
+            let mut sum = f[(i, j)];
+            for k in (j..i).skip(1) {
+                sum.add_product(f[(i, k)], m[(k, j)]);
             }
+            m[(i, j)] = -sum;
         }
     }
     // A⁻¹ = Mᵀ D⁻¹ M, the unit diagonal of M left out.
@@ -212,10 +208,8 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
         if i < j {
             sum *= m[(j, i)];
         }
-        for k in 0..N {
-            if k > j {
-                sum.add_product(m[(k, i)] * m[(k, j)], reciprocals[k]);
-            }
+        for k in (j..N).skip(1) {
+            sum.add_product(m[(k, i)] * m[(k, j)], reciprocals[k]);
         }
         sum
     });
@@ -225,12 +219,9 @@ pub fn inverse_and_det<T: Field, const N: usize>(a: &Mat<T, N>) -> (Mat<T, N>, T
 /// Are the symmetric matrices in all lanes positive definite, beyond doubt? No too where a pivot is all but 0 or ∞:
 /// [`indefinite_pivot`] decides that.
 pub fn surely_positive<T: Real<Sum = f64>, const N: usize>(a: &Mat<T, N>) -> bool {
-    let mut sum = T::zero();
-    for reciprocal in ldlt(a).reciprocals {
-        // NaN for what is negative, ∞ for 1/0.
-        sum += reciprocal.sqrt();
-    }
-    sum.reduce().is_finite()
+    // NaN for what is negative, ∞ for 1/0, in one lane or more.
+    let finite = |reciprocal: T| reciprocal.sqrt().reduce().is_finite();
+    ldlt(a).reciprocals.into_iter().all(finite)
 }
 
 /// The first pivot of LDLᵀ that is not positive: none if and only if the symmetric matrix is positive definite.

@@ -2,15 +2,20 @@
 
 use crate::common::{crooked_cube, largest, random_regge};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use regge_curvature::field::PointByPoint;
+use regge_curvature::field::{Evaluate, PointByPoint};
 use regge_curvature::functional::{
-    Sums, boundary_curvature, boundary_curvatures, cell_volumes, distributional_curvatures,
+    Sums, a_h, boundary_curvature, boundary_curvatures, cell_volumes, distributional_curvatures,
     smooth_curvature, smooth_curvatures,
 };
+use regge_curvature::jet::Jet2;
+use regge_curvature::linalg::Mat;
+use regge_curvature::scalar::Real;
+use regge_curvature::simplex::Points;
 use regge_curvature::spaces::{Indicators, Scalar, TestSpace, check_positive};
 use regge_curvature::{
     Interpolant, Lagrange, Mesh, Metric, ReggeSpace, Rules, Smooth, distributional_curvature,
 };
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Rounding: sums of some 10² terms of size 1.
 const ROUNDING: f64 = 1e-11;
@@ -132,6 +137,52 @@ fn several_spaces_get_what_each_gets() {
         cells,
     });
     assert_eq!(smooth_curvatures(&g, &spaces, &rules), alone);
+}
+
+/// A field that counts how often its value is asked for.
+struct Counted<'a, G>(&'a G, AtomicUsize);
+
+impl<T: Real, const N: usize, G: Evaluate<T, N>> Evaluate<T, N> for Counted<'_, G> {
+    type Table = G::Table;
+    type Local = G::Local;
+
+    fn tabulate(&self, points: &Points) -> Self::Table {
+        self.0.tabulate(points)
+    }
+    fn on_cell(&self, cell: usize) -> Self::Local {
+        self.0.on_cell(cell)
+    }
+    fn jet2(&self, local: &Self::Local, table: &Self::Table, block: usize) -> Mat<Jet2<T, N>, N> {
+        self.0.jet2(local, table, block)
+    }
+    fn value(&self, local: &Self::Local, table: &Self::Table, block: usize) -> Mat<T, N> {
+        self.1.fetch_add(1, Ordering::Relaxed);
+        self.0.value(local, table, block)
+    }
+    fn is_constant(&self) -> bool {
+        self.0.is_constant()
+    }
+}
+
+/// Around hinges, what is constant on cells is asked for at one point, whatever the rule; what is not, at all of them.
+#[test]
+fn constants_are_asked_for_once() {
+    let mesh = crooked_cube::<3>(2, 2);
+    let test = Lagrange::new(&mesh, 2);
+    let count = |metric: usize, degree: usize, order: usize| {
+        let [g, sigma] = [metric, degree].map(|degree| ReggeSpace::new(&mesh, degree));
+        let (g, sigma) = (random_regge(&g, 0.1, 2), random_regge(&sigma, 0.1, 3));
+        let counted = Counted(&PointByPoint(&sigma), AtomicUsize::new(0));
+        // Twice the order on hinges alone, where the rule then has more points.
+        let mut rules = Rules::new(3, 4);
+        rules.hinges = Rules::new(3, order).hinges;
+        a_h(&PointByPoint(&g), &counted, &test, &rules);
+        counted.1.into_inner()
+    };
+    assert_eq!(count(0, 0, 4), count(0, 0, 8));
+    for (metric, degree) in [(1, 0), (0, 1), (1, 1)] {
+        assert!(count(metric, degree, 4) < count(metric, degree, 8));
+    }
 }
 
 /// The lanes run the same lines as f64.

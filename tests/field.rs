@@ -2,7 +2,7 @@
 
 use regge_curvature::field::{Combination, Evaluate, PointByPoint};
 use regge_curvature::jet::{Jet1, Jet2};
-use regge_curvature::linalg::{Mat, indefinite_pivot, symmetric};
+use regge_curvature::linalg::{Mat, indefinite_pivot, surely_positive, symmetric};
 use regge_curvature::simplex::Points;
 
 /// The same tensor everywhere, whose derivatives claim otherwise; says that it is constant or does not.
@@ -119,15 +119,23 @@ fn a_field_seen_otherwise_is_the_same() {
     }
 }
 
-/// The first pivot of LDLᵀ that is not positive.
+/// The first pivot of LDLᵀ that is not positive; where there is one, nobody is sure that there is none.
 #[test]
 fn indefinite_tensors_are_found_out() {
-    let pivot = |diagonal: [f64; 3]| {
-        indefinite_pivot::<3>(&symmetric(|i, j| if i == j { diagonal[i] } else { 0.5 }))
-    };
+    let tensor =
+        |diagonal: [f64; 3]| symmetric::<f64, 3>(|i, j| if i == j { diagonal[i] } else { 0.5 });
+    let pivot = |diagonal| indefinite_pivot(&tensor(diagonal));
     assert_eq!(pivot([1.0, 1.0, 1.0]), None);
-    assert_eq!(pivot([-1.0, 1.0, 1.0]), Some(-1.0));
-    assert_eq!(pivot([1.0, 0.25, 1.0]), Some(0.0));
-    assert_eq!(pivot([1.0, 0.0, 1.0]), Some(-0.25));
-    assert!(pivot([1.0, f64::NAN, 1.0]).is_some_and(f64::is_nan));
+    assert!(surely_positive(&tensor([1.0, 1.0, 1.0])));
+    for (diagonal, expected) in [
+        ([-1.0, 1.0, 1.0], -1.0),
+        ([1.0, 0.25, 1.0], 0.0),
+        ([1.0, 0.0, 1.0], -0.25),
+    ] {
+        assert_eq!(pivot(diagonal), Some(expected));
+        assert!(!surely_positive(&tensor(diagonal)));
+    }
+    let nowhere = [1.0, f64::NAN, 1.0];
+    assert!(pivot(nowhere).is_some_and(f64::is_nan));
+    assert!(!surely_positive(&tensor(nowhere)));
 }

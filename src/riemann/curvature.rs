@@ -53,18 +53,27 @@ impl<'g, T: Field, const N: usize> Curvature<'g, T, N> {
     #[inline]
     pub fn scalar(&self) -> T {
         let inverse = &self.connection.inverse;
-        let mut sum = T::zero();
-        for_pairs::<N>(|i, j| {
-            for_pairs::<N>(|k, l| {
-                if (k, l) < (i, j) {
-                    return;
+        let term = |i: usize, j: usize, k: usize, l: usize| {
+            let minor = inverse[(i, k)] * inverse[(j, l)] - inverse[(i, l)] * inverse[(j, k)];
+            minor * self.riemann([i, j, k, l])
+        };
+        // R_ijkl = R_klij: of two different pairs, each order has the same.
+        let (mut equal, mut different) = (T::zero(), T::zero());
+        for j in 0..N {
+            for i in 0..j {
+                equal += term(i, j, i, j);
+                for k in 0..i {
+                    different += term(k, j, i, j);
                 }
-                let minor = inverse[(i, k)] * inverse[(j, l)] - inverse[(i, l)] * inverse[(j, k)];
-                let term = minor * self.riemann([i, j, k, l]);
-                sum += if (k, l) == (i, j) { term } else { term + term };
-            });
-        });
-        sum + sum
+                for l in 0..j {
+                    for k in 0..l {
+                        different += term(k, l, i, j);
+                    }
+                }
+            }
+        }
+        let once = equal + different + different;
+        once + once
     }
 
     /// G = Ric − ½ R g.
@@ -73,17 +82,5 @@ impl<'g, T: Field, const N: usize> Curvature<'g, T, N> {
         let ricci = self.ricci();
         let half_r = self.connection.trace(&ricci) * T::ratio(formulas.einstein, 2);
         symmetric(|i, j| ricci[(i, j)] - half_r * self.connection.g[(i, j)])
-    }
-}
-
-/// All i < j < N. The bounds of both loops are constant, so that they can be unrolled.
-#[inline(always)]
-fn for_pairs<const N: usize>(mut visit: impl FnMut(usize, usize)) {
-    for i in 0..N {
-        for j in 0..N {
-            if i < j {
-                visit(i, j);
-            }
-        }
     }
 }

@@ -7,7 +7,7 @@ mod curvature;
 
 pub use curvature::Curvature;
 
-use crate::formulas::Formulas;
+use crate::formulas::{Formulas, times};
 use crate::jet::{Jet, Jet1, Jet2, lower, lower_vector};
 use crate::linalg::{
     Mat, Vector, double_contract, fill_symmetric, inverse_and_det, matrix, sandwich, symmetric,
@@ -56,7 +56,8 @@ pub fn reverse_trace<F: Field, const N: usize>(
     inverse: &Mat<F, N>,
     sigma: &Mat<F, N>,
 ) -> Mat<F, N> {
-    let tr = trace(inverse, sigma) * F::ratio(formulas.reverse_trace_halves, 2);
+    let half_tr = trace(inverse, sigma) * F::half();
+    let tr = times(formulas.reverse_trace_halves, half_tr);
     symmetric(|i, j| sigma[(i, j)] - g[(i, j)] * tr)
 }
 

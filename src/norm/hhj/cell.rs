@@ -15,6 +15,7 @@ use crate::linalg::{Mat, Vector, apply, contract, inverse_and_det};
 use crate::mesh::Mesh;
 use crate::simplex::subsets;
 use nalgebra::{DMatrix, DVector};
+use std::ops::{Add, Mul};
 
 /// The shape of one cell.
 #[derive(Clone, Debug)]
@@ -127,8 +128,11 @@ impl<const N: usize> Shape<N> {
 
 /// ½ (g^{ik} g^{jl} + g^{il} g^{jk}) from the four factors in this order.
 #[inline]
-pub(in crate::norm) fn raise([ik, jl, il, jk]: [f64; 4]) -> f64 {
-    0.5 * (ik * jl + il * jk)
+pub(in crate::norm) fn raise<T>([ik, jl, il, jk]: [T; 4]) -> T
+where
+    T: Copy + From<f32> + Add<Output = T> + Mul<Output = T>,
+{
+    T::from(0.5) * (ik * jl + il * jk)
 }
 
 /// The face opposite to vertex `f`.

@@ -1,5 +1,6 @@
 //! Some cells side by side: every number of a cell is a lane of a row, and rows are what loops and products run over.
 
+use super::number::Number;
 use crate::norm::hhj::Hhj;
 use crate::norm::hhj::cell::raise;
 use crate::norm::hhj::element::Element;
@@ -11,18 +12,18 @@ pub(super) const CELLS: usize = 64;
 
 /// The geometry of all cells, batch after batch, row by row.
 #[derive(Clone, Debug)]
-pub(super) struct Geometry {
-    numbers: Vec<f64>,
+pub(super) struct Geometry<T> {
+    numbers: Vec<T>,
     /// How many rows a batch has: |det J|; g^{ij} by pairs; ±h_f by face; p τ_v by face and vertex of the face.
     rows: usize,
 }
 
-impl Geometry {
+impl<T: Number> Geometry<T> {
     /// Of the mesh's cells in this order.
     pub fn new<const N: usize>(hhj: &Hhj<N>, cells: &[u32]) -> Self {
         let element = hhj.element();
         let rows = 1 + element.pairs.len() + (N + 1) * (N + 1);
-        let mut numbers = vec![0.0; rows * cells.len()];
+        let mut numbers = vec![T::ZERO; rows * cells.len()];
         for_chunks(&mut numbers, CELLS * rows, |batch, numbers| {
             let lanes = numbers.len() / rows;
             for lane in 0..lanes {
@@ -33,7 +34,7 @@ impl Geometry {
                 let tangents = tangents.map(|tau| element.degree as f64 * tau);
                 let all = std::iter::once(shape.volume).chain(inverse);
                 for (row, number) in all.chain(heights).chain(tangents).enumerate() {
-                    numbers[row * lanes + lane] = number;
+                    numbers[row * lanes + lane] = T::of(number);
                 }
             }
         });
@@ -42,20 +43,24 @@ impl Geometry {
 }
 
 /// The geometry of some cells, lane by lane.
-pub(super) struct Batch<'a> {
+pub(super) struct Batch<'a, T> {
     /// How many cells.
     pub lanes: usize,
     /// The symmetric weights that stand between B̂ᵀ and B̂: row a·pairs + b.
-    weights: Vec<f64>,
+    weights: Vec<T>,
     /// ±h_f, by face.
-    heights: &'a [f64],
+    heights: &'a [T],
     /// p τ_v, by face and vertex of the face.
-    tangents: &'a [f64],
+    tangents: &'a [T],
 }
 
-impl<'a> Batch<'a> {
+impl<'a, T: Number> Batch<'a, T> {
     /// Some consecutive cells.
-    pub fn new<const N: usize>(element: &Element<N>, geometry: &'a Geometry, batch: usize) -> Self {
+    pub fn new<const N: usize>(
+        element: &Element<N>,
+        geometry: &'a Geometry<T>,
+        batch: usize,
+    ) -> Self {
         let unit = CELLS * geometry.rows;
         let numbers = &geometry.numbers[batch * unit..];
         let numbers = &numbers[..unit.min(numbers.len())];
@@ -68,14 +73,14 @@ impl<'a> Batch<'a> {
             pairs.position(|&pair| pair == (i.min(j), i.max(j)))
         };
         let q = |i: usize, j: usize| row(inverse, position(i, j).expect("a pair"), n);
-        let mut weights = vec![0.0; pairs * pairs * n];
+        let mut weights = vec![T::ZERO; pairs * pairs * n];
         for a in 0..pairs {
             for b in 0..=a {
                 let ((i, j), (k, l)) = (element.pairs[a], element.pairs[b]);
                 let factors = [q(i, k), q(j, l), q(i, l), q(j, k)];
                 let target = row_mut(&mut weights, a * pairs + b, n);
                 for (lane, (w, volume)) in target.iter_mut().zip(volume).enumerate() {
-                    *w = volume * raise(factors.map(|row| row[lane]));
+                    *w = *volume * raise(factors.map(|row| row[lane]));
                 }
                 let (from, to) = (a * pairs + b, b * pairs + a);
                 weights.copy_within(from * n..(from + 1) * n, to * n);
@@ -90,7 +95,7 @@ impl<'a> Batch<'a> {
     }
 
     /// (u, û) becomes (u, ŵ): ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}.
-    pub fn shift<const N: usize>(&self, element: &Element<N>, x: &mut [f64]) {
+    pub fn shift<const N: usize>(&self, element: &Element<N>, x: &mut [T]) {
         let n = self.lanes;
         for (f, moments) in element.layout.faces.iter().enumerate() {
             for moment in moments {
@@ -105,7 +110,7 @@ impl<'a> Batch<'a> {
     }
 
     /// The transpose of [`Batch::shift`].
-    pub fn shift_back<const N: usize>(&self, element: &Element<N>, x: &mut [f64]) {
+    pub fn shift_back<const N: usize>(&self, element: &Element<N>, x: &mut [T]) {
         let n = self.lanes;
         for (f, moments) in element.layout.faces.iter().enumerate() {
             for moment in moments {
@@ -120,19 +125,19 @@ impl<'a> Batch<'a> {
     }
 
     /// z = (W ⊗ I) y, both with rows a·size + k.
-    pub fn weigh(&self, pairs: usize, size: usize, y: &[f64], z: &mut [f64]) {
+    pub fn weigh(&self, pairs: usize, size: usize, y: &[T], z: &mut [T]) {
         let n = self.lanes;
         for k in 0..size {
             for a in 0..pairs {
                 let target = row_mut(z, a * size + k, n);
-                target.fill(0.0);
+                target.fill(T::ZERO);
                 for b in 0..pairs {
                     let (w, y) = (
                         row(&self.weights, a * pairs + b, n),
                         row(y, b * size + k, n),
                     );
                     for ((t, w), y) in target.iter_mut().zip(w).zip(y) {
-                        *t += w * y;
+                        *t += *w * *y;
                     }
                 }
             }
@@ -140,15 +145,15 @@ impl<'a> Batch<'a> {
     }
 
     /// t becomes (B̂_bᵀ (W ⊗ I) B̂_b)⁻¹ t for the bubbles b, by Cholesky's method lane by lane.
-    pub fn solve_bubbles(&self, gram: &[DMatrix<f64>], t: &mut [f64]) {
+    pub fn solve_bubbles(&self, gram: &[DMatrix<T>], t: &mut [T]) {
         let (n, bubbles) = (self.lanes, t.len() / self.lanes);
-        let mut a = vec![0.0; bubbles * bubbles * n];
+        let mut a = vec![T::ZERO; bubbles * bubbles * n];
         for (w, gram) in self.weights.chunks_exact(n).zip(gram) {
             for i in 0..bubbles {
                 for j in 0..=i {
                     let g = gram[(i, j)];
                     for (a, w) in row_mut(&mut a, i * bubbles + j, n).iter_mut().zip(w) {
-                        *a += g * w;
+                        *a += g * *w;
                     }
                 }
             }
@@ -156,21 +161,19 @@ impl<'a> Batch<'a> {
         for lane in 0..n {
             let at = |i: usize, j: usize| (i * bubbles + j) * n + lane;
             for j in 0..bubbles {
-                let square: f64 = (0..j).map(|k| a[at(j, k)].powi(2)).sum();
-                a[at(j, j)] = (a[at(j, j)] - square).sqrt();
+                let square = sum((0..j).map(|k| a[at(j, k)] * a[at(j, k)]));
+                a[at(j, j)] = (a[at(j, j)] - square).root();
                 for i in j + 1..bubbles {
-                    let sum: f64 = (0..j).map(|k| a[at(i, k)] * a[at(j, k)]).sum();
+                    let sum = sum((0..j).map(|k| a[at(i, k)] * a[at(j, k)]));
                     a[at(i, j)] = (a[at(i, j)] - sum) / a[at(j, j)];
                 }
             }
             for i in 0..bubbles {
-                let sum: f64 = (0..i).map(|j| a[at(i, j)] * t[j * n + lane]).sum();
+                let sum = sum((0..i).map(|j| a[at(i, j)] * t[j * n + lane]));
                 t[i * n + lane] = (t[i * n + lane] - sum) / a[at(i, i)];
             }
             for i in (0..bubbles).rev() {
-                let sum: f64 = (i + 1..bubbles)
-                    .map(|j| a[at(j, i)] * t[j * n + lane])
-                    .sum();
+                let sum = sum((i + 1..bubbles).map(|j| a[at(j, i)] * t[j * n + lane]));
                 t[i * n + lane] = (t[i * n + lane] - sum) / a[at(i, i)];
             }
         }
@@ -179,19 +182,19 @@ impl<'a> Batch<'a> {
 
 /// Row i of rows of n lanes.
 #[inline]
-pub(super) fn row(x: &[f64], i: usize, n: usize) -> &[f64] {
+pub(super) fn row<T: Number>(x: &[T], i: usize, n: usize) -> &[T] {
     &x[i * n..(i + 1) * n]
 }
 
 /// Row i of rows of n lanes.
 #[inline]
-pub(super) fn row_mut(x: &mut [f64], i: usize, n: usize) -> &mut [f64] {
+pub(super) fn row_mut<T: Number>(x: &mut [T], i: usize, n: usize) -> &mut [T] {
     &mut x[i * n..(i + 1) * n]
 }
 
 /// Row i to be changed, and another row j.
 #[inline]
-fn two_rows(x: &mut [f64], i: usize, j: usize, n: usize) -> (&mut [f64], &[f64]) {
+fn two_rows<T: Number>(x: &mut [T], i: usize, j: usize, n: usize) -> (&mut [T], &[T]) {
     if i < j {
         let (low, high) = x.split_at_mut(j * n);
         (&mut low[i * n..(i + 1) * n], &high[..n])
@@ -201,14 +204,18 @@ fn two_rows(x: &mut [f64], i: usize, j: usize, n: usize) -> (&mut [f64], &[f64])
     }
 }
 
-fn scale(x: &mut [f64], factor: &[f64]) {
+fn scale<T: Number>(x: &mut [T], factor: &[T]) {
     for (x, f) in x.iter_mut().zip(factor) {
-        *x *= f;
+        *x *= *f;
     }
 }
 
-fn subtract(x: &mut [f64], factor: &[f64], y: &[f64]) {
+fn subtract<T: Number>(x: &mut [T], factor: &[T], y: &[T]) {
     for ((x, f), y) in x.iter_mut().zip(factor).zip(y) {
-        *x -= f * y;
+        *x -= *f * *y;
     }
+}
+
+fn sum<T: Number>(terms: impl Iterator<Item = T>) -> T {
+    terms.fold(T::ZERO, |sum, term| sum + term)
 }

@@ -1,5 +1,6 @@
 //! Preconditioned conjugate gradients. Sums are made of fixed blocks: no bit depends on the number of threads.
 
+use super::number::Number;
 use crate::Error;
 use crate::norm::dual::{Step, Target};
 use crate::parallel::for_chunks;
@@ -7,8 +8,8 @@ use crate::parallel::for_chunks;
 /// How many entries make one piece of work.
 const BLOCK: usize = 1 << 14;
 
-/// xᵀ y.
-pub(super) fn dot(x: &[f64], y: &[f64]) -> f64 {
+/// xᵀ y, in double precision.
+pub(super) fn dot<T: Number>(x: &[T], y: &[T]) -> f64 {
     let mut sums = vec![0.0; x.len().div_ceil(BLOCK)];
     for_chunks(&mut sums, 1, |i, sum| {
         let range = i * BLOCK..x.len().min((i + 1) * BLOCK);
@@ -16,7 +17,7 @@ pub(super) fn dot(x: &[f64], y: &[f64]) -> f64 {
         let mut partial = [0.0; 8];
         for (x, y) in x[range.clone()].chunks(8).zip(y[range].chunks(8)) {
             for (p, (x, y)) in partial.iter_mut().zip(x.iter().zip(y)) {
-                *p += x * y;
+                *p += x.double() * y.double();
             }
         }
         sum[0] = partial.iter().sum();
@@ -25,20 +26,31 @@ pub(super) fn dot(x: &[f64], y: &[f64]) -> f64 {
 }
 
 /// y += α x.
-pub(super) fn axpy(y: &mut [f64], alpha: f64, x: &[f64]) {
+pub(super) fn axpy<T: Number>(y: &mut [T], alpha: f64, x: &[T]) {
     combine(1.0, y, alpha, x);
 }
 
 /// y = α y.
-pub(super) fn scale(y: &mut [f64], alpha: f64) {
+pub(super) fn scale<T: Number>(y: &mut [T], alpha: f64) {
+    let alpha = T::of(alpha);
     for_chunks(y, BLOCK, |_, y| y.iter_mut().for_each(|y| *y *= alpha));
 }
 
 /// y = α y + β x.
-pub(super) fn combine(alpha: f64, y: &mut [f64], beta: f64, x: &[f64]) {
+pub(super) fn combine<T: Number>(alpha: f64, y: &mut [T], beta: f64, x: &[T]) {
+    let (alpha, beta) = (T::of(alpha), T::of(beta));
     for_chunks(y, BLOCK, |i, y| {
         for (y, x) in y.iter_mut().zip(&x[i * BLOCK..]) {
-            *y = alpha * *y + beta * x;
+            *y = alpha * *y + beta * *x;
+        }
+    });
+}
+
+/// y = α x in another precision.
+pub(super) fn convert<S: Number, T: Number>(x: &[S], alpha: f64, y: &mut [T]) {
+    for_chunks(y, BLOCK, |i, y| {
+        for (y, x) in y.iter_mut().zip(&x[i * BLOCK..]) {
+            *y = T::of(alpha * x.double());
         }
     });
 }

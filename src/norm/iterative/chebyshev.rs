@@ -1,6 +1,7 @@
 //! Chebyshev's iteration with an approximate inverse J of an operator A: the smoother of the cycles.
 
 use super::cg::{axpy, combine, dot, scale};
+use super::number::Number;
 use crate::mesh::SplitMix64;
 use nalgebra::DMatrix;
 
@@ -12,6 +13,8 @@ const EXHAUSTED: f64 = 1e-20;
 
 /// What can be smoothed.
 pub(super) trait Smoothed {
+    /// What it computes with.
+    type Number: Number;
     /// What an application of A overwrites.
     type Room;
 
@@ -21,10 +24,10 @@ pub(super) trait Smoothed {
     fn len(&self) -> usize;
 
     /// y = A x.
-    fn apply(&self, x: &[f64], y: &mut [f64], room: &mut Self::Room);
+    fn apply(&self, x: &[Self::Number], y: &mut [Self::Number], room: &mut Self::Room);
 
     /// z = J r.
-    fn invert(&self, r: &[f64], z: &mut [f64]);
+    fn invert(&self, r: &[Self::Number], z: &mut [Self::Number]);
 }
 
 /// Some steps of the iteration.
@@ -38,16 +41,16 @@ pub(super) struct Chebyshev {
 }
 
 /// Vectors that a cycle works with.
-pub(super) struct Room<R> {
-    pub residual: Vec<f64>,
-    pub correction: Vec<f64>,
-    image: Vec<f64>,
-    pub operator: R,
+pub(super) struct Room<S: Smoothed> {
+    pub residual: Vec<S::Number>,
+    pub correction: Vec<S::Number>,
+    image: Vec<S::Number>,
+    operator: S::Room,
 }
 
-impl<R> Room<R> {
-    pub fn new(smoothed: &impl Smoothed<Room = R>) -> Self {
-        let zero = vec![0.0; smoothed.len()];
+impl<S: Smoothed> Room<S> {
+    pub fn new(smoothed: &S) -> Self {
+        let zero = vec![S::Number::ZERO; smoothed.len()];
         Self {
             residual: zero.clone(),
             correction: zero.clone(),
@@ -57,7 +60,7 @@ impl<R> Room<R> {
     }
 
     /// residual −= A correction.
-    pub fn subtract_image(&mut self, smoothed: &impl Smoothed<Room = R>) {
+    pub fn subtract_image(&mut self, smoothed: &S) {
         smoothed.apply(&self.correction, &mut self.image, &mut self.operator);
         axpy(&mut self.residual, -1.0, &self.image);
     }
@@ -76,8 +79,8 @@ impl Chebyshev {
     pub fn smooth<S: Smoothed>(
         &self,
         smoothed: &S,
-        z: &mut [f64],
-        room: &mut Room<S::Room>,
+        z: &mut [S::Number],
+        room: &mut Room<S>,
         follow: bool,
     ) {
         let (a, b) = (self.largest / self.ratio, self.largest);
@@ -112,8 +115,9 @@ impl Chebyshev {
 /// Lanczos' tridiagonal matrix.
 fn largest_eigenvalue<S: Smoothed>(smoothed: &S) -> f64 {
     let mut random = SplitMix64::new(1);
-    let mut r: Vec<f64> = (0..smoothed.len()).map(|_| random.symmetric()).collect();
-    let (mut z, mut q) = (vec![0.0; r.len()], vec![0.0; r.len()]);
+    let random = (0..smoothed.len()).map(|_| S::Number::of(random.symmetric()));
+    let mut r: Vec<_> = random.collect();
+    let (mut z, mut q) = (r.clone(), r.clone());
     let mut room = smoothed.room();
     smoothed.invert(&r, &mut z);
     let mut p = z.clone();

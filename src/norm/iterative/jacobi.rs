@@ -35,7 +35,7 @@ impl BlockJacobi {
     }
 
     /// z = J r.
-    pub fn apply(&self, r: &[f64], z: &mut [f64]) {
+    pub fn apply(&self, r: &[f32], z: &mut [f32]) {
         let skeleton = &self.skeleton;
         for (k, inverses) in self.inverses.iter().enumerate() {
             let width = skeleton.widths[k];
@@ -95,17 +95,17 @@ fn diagonal<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton) -> Vec<Vec<f64>> 
 }
 
 /// z = A r from A's lower triangle.
-fn multiply(a: &[f32], r: &[f64], z: &mut [f64]) {
+fn multiply(a: &[f32], r: &[f32], z: &mut [f32]) {
     let mut next = 0;
     for i in 0..r.len() {
         // Row i is the first to see z_i.
         let mut sum = 0.0;
         for j in 0..i {
-            let a = f64::from(a[next + j]);
+            let a = a[next + j];
             sum += a * r[j];
             z[j] += a * r[i];
         }
-        z[i] = sum + f64::from(a[next + i]) * r[i];
+        z[i] = sum + a[next + i] * r[i];
         next += i + 1;
     }
 }

@@ -6,6 +6,7 @@ mod chebyshev;
 mod coarse;
 mod cycle;
 mod jacobi;
+mod number;
 mod operator;
 mod order;
 mod skeleton;
@@ -15,7 +16,6 @@ use super::hhj::{Hhj, Size};
 use super::solver::BiharmonicSolver;
 use crate::Error;
 use crate::mesh::Mesh;
-use chebyshev::Room;
 use coarse::Coarse;
 pub(super) use coarse::lattice::Lattice;
 use cycle::Cycle;
@@ -32,6 +32,7 @@ use std::sync::Arc;
 /// a cycle over coarser and coarser splines.
 #[derive(Debug)]
 pub struct Iterative<const N: usize> {
+    operator: Operator<f64, N>,
     cycle: Cycle<N>,
     target: Target,
 }
@@ -66,11 +67,11 @@ impl<const N: usize> Iterative<N> {
         let coarse = Coarse::new(&hhj, &skeleton)?;
         let jacobi = BlockJacobi::new(&hhj, &skeleton)?;
         let cycle = Cycle::new(Operator::new(&hhj, &skeleton), jacobi, coarse);
-        Ok(Self { cycle, target })
-    }
-
-    fn operator(&self) -> &Operator<N> {
-        &self.cycle.fine.operator
+        Ok(Self {
+            operator: Operator::new(&hhj, &skeleton),
+            cycle,
+            target,
+        })
     }
 }
 
@@ -78,12 +79,12 @@ impl<const N: usize> Iterative<N> {
 impl<const N: usize> Iterative<N> {
     /// How many unknowns it iterates on: u without its bubbles, and û, inside Ω.
     pub fn unknowns(&self) -> usize {
-        self.operator().skeleton.len()
+        self.operator.skeleton.len()
     }
 
     /// How many additions and multiplications one application of the operator is, as dense products count them.
     pub fn operations(&self) -> f64 {
-        self.operator().operations()
+        self.operator.operations()
     }
 
     /// y = S x for the condensed operator S on all unknowns; `room` is overwritten and of the right size after the
@@ -93,8 +94,8 @@ impl<const N: usize> Iterative<N> {
     /// If x or y has not [`Iterative::unknowns`] entries.
     pub fn apply(&self, x: &[f64], y: &mut [f64], room: &mut Vec<f64>) {
         assert!(x.len() == self.unknowns() && y.len() == x.len());
-        room.resize(self.operator().room(), 0.0);
-        self.operator().apply(x, y, room);
+        room.resize(self.operator.room(), 0.0);
+        self.operator.apply(x, y, room);
     }
 
     /// z = M⁻¹ r for the preconditioner M.
@@ -103,13 +104,13 @@ impl<const N: usize> Iterative<N> {
     /// If r or z has not [`Iterative::unknowns`] entries.
     pub fn precondition(&self, r: &[f64], z: &mut [f64]) {
         assert!(r.len() == self.unknowns() && z.len() == r.len());
-        self.cycle.apply(r, z, &mut Room::new(&self.cycle.fine));
+        self.cycle.apply(r, z, &mut self.cycle.workshop());
     }
 }
 
 impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
     fn hhj(&self) -> &Hhj<N> {
-        &self.operator().hhj
+        &self.operator.hhj
     }
 
     fn name(&self) -> &'static str {
@@ -122,27 +123,28 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
             self.hhj().space().len(),
             "a load of another space"
         );
-        let (operator, skeleton) = (self.operator(), &self.operator().skeleton);
+        let (operator, skeleton) = (&self.operator, &self.operator.skeleton);
         let mut r = skeleton.gather(load);
-        let mut room = Room::new(&self.cycle.fine);
-        operator.condense(load, &mut r, &mut room.operator);
+        let mut room = (vec![0.0; operator.room()], self.cycle.workshop());
+        operator.condense(load, &mut r, &mut room.0);
         let x = cg::solve(
             r,
             self.target,
             &mut room,
-            |p, q, room| operator.apply(p, q, &mut room.operator),
-            |r, z, room| self.cycle.apply(r, z, room),
+            |p, q, (room, _)| operator.apply(p, q, room),
+            |r, z, (_, workshop)| self.cycle.apply(r, z, workshop),
             watch,
         )?;
         let mut coefficients = vec![0.0; self.hhj().len()];
         skeleton.scatter(&x, &mut coefficients);
-        operator.bubbles(load, &x, &mut coefficients, &mut room.operator);
+        operator.bubbles(load, &x, &mut coefficients, &mut room.0);
         Ok(Representative { coefficients })
     }
 }
 
-/// The bytes that the iteration takes: the cells' geometry and order; inverse blocks in single precision; eight vectors, the load
-/// and the solution; a place for each cell's result. While they are set up the blocks are there in double precision too, and where the mesh is no cube
+/// The bytes that the iteration takes: the cells' geometry, in both precisions, and order; inverse blocks in single precision; five
+/// vectors of conjugate gradients and four of the cycle, which are half as long; the load and the solution; a place for each cell's
+/// result in both precisions. While they are set up the blocks are there in double precision too, and where the mesh is no cube
 /// with so many faces in ∂Ω the splines' rows.
 pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let [blocks, unknowns, u, outer] = [
@@ -152,10 +154,11 @@ pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
         size.cells() * size.outer(),
     ]
     .map(|count| count as f64);
-    let vectors = 8.0 * (8.0 * unknowns + 2.0 * (u + unknowns));
-    let set_up = (8.0 * blocks - 64.0 * unknowns).max(0.0);
+    let vectors = (8.0 * 5.0 + 4.0 * 4.0) * unknowns;
+    let solution = 8.0 * 2.0 * (u + unknowns);
+    let set_up = (8.0 * blocks - vectors).max(0.0);
     let splines = boundary.map_or(0.0, |faces| coarse::memory(size, faces));
-    let of_cell = if size.dimension() == 2 { 175.0 } else { 330.0 };
+    let of_cell = if size.dimension() == 2 { 230.0 } else { 420.0 };
     let cells = of_cell * size.cells() as f64;
-    cells + 4.0 * blocks + vectors + 8.0 * outer + set_up + splines
+    cells + 4.0 * blocks + vectors + solution + 12.0 * outer + set_up + splines
 }

@@ -5,6 +5,7 @@
 //! and every simplex then adds up what its cells have for it, in their order: no bit depends on the threads.
 
 use super::batch::{Batch, CELLS, Geometry, row, row_mut};
+use super::number::Number;
 use super::skeleton::Skeleton;
 use crate::norm::hhj::Hhj;
 use crate::parallel::for_chunks;
@@ -15,18 +16,20 @@ use std::sync::Arc;
 
 /// The operator on the unknowns of a [`Skeleton`].
 #[derive(Clone, Debug)]
-pub(super) struct Operator<const N: usize> {
+pub(super) struct Operator<T, const N: usize> {
     pub hhj: Arc<Hhj<N>>,
     pub skeleton: Arc<Skeleton>,
     /// B̂_aᵀ B̂_b restricted to the bubbles, in the order a·pairs + b.
-    gram: Vec<DMatrix<f64>>,
-    geometry: Geometry,
+    gram: Vec<DMatrix<T>>,
+    /// B̂.
+    pairing: DMatrix<T>,
+    geometry: Geometry<T>,
 }
 
 /// How many simplices add up their cells' contributions in one piece of work.
 const SIMPLICES: usize = 1024;
 
-impl<const N: usize> Operator<N> {
+impl<T: Number, const N: usize> Operator<T, N> {
     pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>) -> Self {
         let element = hhj.element();
         let (size, bubbles) = (element.moments.len(), element.layout.bubbles);
@@ -34,11 +37,13 @@ impl<const N: usize> Operator<N> {
         let pairs = element.pairs.len();
         let gram = (0..pairs * pairs)
             .map(|ab| block(ab / pairs).transpose() * block(ab % pairs))
+            .map(|gram: DMatrix<f64>| gram.map(T::of))
             .collect();
         Self {
             hhj: hhj.clone(),
             skeleton: skeleton.clone(),
             gram,
+            pairing: element.pairing.map(T::of),
             geometry: Geometry::new(hhj, &skeleton.order.cells),
         }
     }
@@ -60,51 +65,19 @@ impl<const N: usize> Operator<N> {
     }
 
     /// y = S x for the Schur complement S of the bubbles. `room` is overwritten.
-    pub fn apply(&self, x: &[f64], y: &mut [f64], room: &mut [f64]) {
+    pub fn apply(&self, x: &[T], y: &mut [T], room: &mut [T]) {
         for_chunks(room, CELLS * self.outer(), |batch, out| {
             let mut work = Work::new(self, batch);
             work.load(x);
-            work.bend(&|_| 0.0);
+            work.bend(&|_| T::ZERO);
             work.unload(out);
         });
-        y.fill(0.0);
-        self.collect(room, y, 1.0);
-    }
-
-    /// y −= A_sb A_bb⁻¹ f_b: the bubbles' load handed on to the other unknowns.
-    pub fn condense(&self, load: &[f64], y: &mut [f64], room: &mut [f64]) {
-        for_chunks(room, CELLS * self.outer(), |batch, out| {
-            let mut work = Work::new(self, batch);
-            work.bend(&|place| load[place]);
-            work.unload(out);
-        });
-        self.collect(room, y, -1.0);
-    }
-
-    /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients. `room` is overwritten.
-    pub fn bubbles(&self, load: &[f64], x: &[f64], coefficients: &mut [f64], room: &mut [f64]) {
-        let count = self.hhj.layout().bubbles;
-        if count == 0 {
-            return;
-        }
-        let (cells, stride) = (self.skeleton.order.cells.len(), CELLS * self.outer());
-        for_chunks(room, stride, |batch, out| {
-            let mut work = Work::new(self, batch);
-            work.load(x);
-            let bubbles = work.bend(&|place| load[place]);
-            out[..bubbles.len()].copy_from_slice(&bubbles);
-        });
-        for cell in 0..cells {
-            let (batch, lane) = (cell / CELLS, cell % CELLS);
-            let lanes = CELLS.min(cells - batch * CELLS);
-            for (i, place) in self.skeleton.bubbles(cell).enumerate() {
-                coefficients[place] = room[batch * stride + i * lanes + lane];
-            }
-        }
+        y.fill(T::ZERO);
+        self.collect(room, y, T::ONE);
     }
 
     /// y += factor · the sum over the cells.
-    fn collect(&self, room: &[f64], y: &mut [f64], factor: f64) {
+    fn collect(&self, room: &[T], y: &mut [T], factor: T) {
         let (order, layout) = (&self.skeleton.order, self.hhj.layout());
         let (outer, cells) = (self.outer(), order.cells.len());
         for (k, simplices) in order.layers.iter().enumerate() {
@@ -137,21 +110,56 @@ impl<const N: usize> Operator<N> {
     }
 }
 
+/// What is done once a solution.
+impl<const N: usize> Operator<f64, N> {
+    /// y −= A_sb A_bb⁻¹ f_b: the bubbles' load handed on to the other unknowns.
+    pub fn condense(&self, load: &[f64], y: &mut [f64], room: &mut [f64]) {
+        for_chunks(room, CELLS * self.outer(), |batch, out| {
+            let mut work = Work::new(self, batch);
+            work.bend(&|place| load[place]);
+            work.unload(out);
+        });
+        self.collect(room, y, -1.0);
+    }
+
+    /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients. `room` is overwritten.
+    pub fn bubbles(&self, load: &[f64], x: &[f64], coefficients: &mut [f64], room: &mut [f64]) {
+        let count = self.hhj.layout().bubbles;
+        if count == 0 {
+            return;
+        }
+        let (cells, stride) = (self.skeleton.order.cells.len(), CELLS * self.outer());
+        for_chunks(room, stride, |batch, out| {
+            let mut work = Work::new(self, batch);
+            work.load(x);
+            let bubbles = work.bend(&|place| load[place]);
+            out[..bubbles.len()].copy_from_slice(&bubbles);
+        });
+        for cell in 0..cells {
+            let (batch, lane) = (cell / CELLS, cell % CELLS);
+            let lanes = CELLS.min(cells - batch * CELLS);
+            for (i, place) in self.skeleton.bubbles(cell).enumerate() {
+                coefficients[place] = room[batch * stride + i * lanes + lane];
+            }
+        }
+    }
+}
+
 /// A batch at work.
-struct Work<'a, const N: usize> {
-    operator: &'a Operator<N>,
-    batch: Batch<'a>,
+struct Work<'a, T, const N: usize> {
+    operator: &'a Operator<T, N>,
+    batch: Batch<'a, T>,
     /// Its first cell.
     begin: usize,
     /// The unknowns of the cells.
-    x: Vec<f64>,
+    x: Vec<T>,
     /// B̂ x, and (W ⊗ I) B̂ x.
-    y: Vec<f64>,
-    z: Vec<f64>,
+    y: Vec<T>,
+    z: Vec<T>,
 }
 
-impl<'a, const N: usize> Work<'a, N> {
-    fn new(operator: &'a Operator<N>, batch: usize) -> Self {
+impl<'a, T: Number, const N: usize> Work<'a, T, N> {
+    fn new(operator: &'a Operator<T, N>, batch: usize) -> Self {
         let (hhj, begin) = (&operator.hhj, batch * CELLS);
         let batch = Batch::new(hhj.element(), &operator.geometry, batch);
         let (lanes, rows) = (batch.lanes, hhj.element().pairing.nrows());
@@ -159,14 +167,14 @@ impl<'a, const N: usize> Work<'a, N> {
             operator,
             batch,
             begin,
-            x: vec![0.0; hhj.layout().len * lanes],
-            y: vec![0.0; rows * lanes],
-            z: vec![0.0; rows * lanes],
+            x: vec![T::ZERO; hhj.layout().len * lanes],
+            y: vec![T::ZERO; rows * lanes],
+            z: vec![T::ZERO; rows * lanes],
         }
     }
 
     /// y = B̂ T x for the cells' part of a global x, without bubbles.
-    fn load(&mut self, global: &[f64]) {
+    fn load(&mut self, global: &[T]) {
         let (hhj, skeleton) = (&self.operator.hhj, &self.operator.skeleton);
         let (element, lanes) = (hhj.element(), self.batch.lanes);
         for lane in 0..lanes {
@@ -183,12 +191,12 @@ impl<'a, const N: usize> Work<'a, N> {
             &mut self.y,
             &self.x,
             lanes,
-            as_mat(&element.pairing).transpose(),
+            as_mat(&self.operator.pairing).transpose(),
         );
     }
 
     /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y), which are returned; `f` by places.
-    fn bend(&mut self, f: &dyn Fn(usize) -> f64) -> Vec<f64> {
+    fn bend(&mut self, f: &dyn Fn(usize) -> T) -> Vec<T> {
         let operator = self.operator;
         let (element, lanes) = (operator.hhj.element(), self.batch.lanes);
         let (pairs, size, bubbles) = (
@@ -197,7 +205,7 @@ impl<'a, const N: usize> Work<'a, N> {
             element.layout.bubbles,
         );
         self.batch.weigh(pairs, size, &self.y, &mut self.z);
-        let mut t = vec![0.0; bubbles * lanes];
+        let mut t = vec![T::ZERO; bubbles * lanes];
         if bubbles == 0 {
             return t;
         }
@@ -208,24 +216,24 @@ impl<'a, const N: usize> Work<'a, N> {
         }
         for i in 0..bubbles {
             for r in 0..pairs * size {
-                let b = element.pairing[(r, i)];
+                let b = operator.pairing[(r, i)];
                 for (t, z) in row_mut(&mut t, i, lanes)
                     .iter_mut()
                     .zip(row(&self.z, r, lanes))
                 {
-                    *t -= b * z;
+                    *t -= b * *z;
                 }
             }
         }
         self.batch.solve_bubbles(&operator.gram, &mut t);
         for i in 0..bubbles {
             for r in 0..pairs * size {
-                let b = element.pairing[(r, i)];
+                let b = operator.pairing[(r, i)];
                 for (y, t) in row_mut(&mut self.y, r, lanes)
                     .iter_mut()
                     .zip(row(&t, i, lanes))
                 {
-                    *y += b * t;
+                    *y += b * *t;
                 }
             }
         }
@@ -234,21 +242,21 @@ impl<'a, const N: usize> Work<'a, N> {
     }
 
     /// Tᵀ B̂ᵀ z without the bubbles' rows.
-    fn unload(&mut self, out: &mut [f64]) {
+    fn unload(&mut self, out: &mut [T]) {
         let (element, lanes) = (self.operator.hhj.element(), self.batch.lanes);
-        multiply(&mut self.x, &self.z, lanes, as_mat(&element.pairing));
+        multiply(&mut self.x, &self.z, lanes, as_mat(&self.operator.pairing));
         self.batch.shift_back(element, &mut self.x);
         out.copy_from_slice(&self.x[element.layout.bubbles * lanes..]);
     }
 }
 
 /// c = a b for rows of lanes: the rows of c and a are columns here.
-fn multiply(c: &mut [f64], a: &[f64], lanes: usize, b: MatRef<'_, f64>) {
+fn multiply<T: Number>(c: &mut [T], a: &[T], lanes: usize, b: MatRef<'_, T>) {
     let c = MatMut::from_column_major_slice_mut(c, lanes, b.ncols());
     let a = MatRef::from_column_major_slice(a, lanes, b.nrows());
-    matmul(c, Accum::Replace, a, b, 1.0, Par::Seq);
+    matmul(c, Accum::Replace, a, b, T::ONE, Par::Seq);
 }
 
-fn as_mat(a: &DMatrix<f64>) -> MatRef<'_, f64> {
+fn as_mat<T>(a: &DMatrix<T>) -> MatRef<'_, T> {
     MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
 }

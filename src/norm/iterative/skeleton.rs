@@ -67,12 +67,12 @@ impl Skeleton {
     }
 
     /// The unknowns of all interior k-simplices.
-    pub fn layer<'a>(&self, k: usize, x: &'a [f64]) -> &'a [f64] {
+    pub fn layer<'a, T>(&self, k: usize, x: &'a [T]) -> &'a [T] {
         &x[self.offsets[k]..self.offsets[k + 1]]
     }
 
     /// The unknowns of all interior k-simplices.
-    pub fn layer_mut<'a>(&self, k: usize, x: &'a mut [f64]) -> &'a mut [f64] {
+    pub fn layer_mut<'a, T>(&self, k: usize, x: &'a mut [T]) -> &'a mut [T] {
         &mut x[self.offsets[k]..self.offsets[k + 1]]
     }
 

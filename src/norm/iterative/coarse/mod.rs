@@ -14,7 +14,6 @@ mod spline;
 mod stencil;
 mod transfer;
 
-use super::cg::dot;
 use super::skeleton::Skeleton;
 use crate::Error;
 use crate::norm::hhj::{Hhj, Size};
@@ -71,19 +70,14 @@ impl<const N: usize> Coarse<N> {
         }
     }
 
-    /// z += P C⁻¹ Pᵀ r, weighted.
-    pub fn add(&self, r: &[f64], z: &mut [f64]) {
-        // Single precision has a narrow range: residuals are brought to size one and back.
-        let size = dot(r, r).sqrt();
-        if size == 0.0 {
-            return;
-        }
-        let mut spline: Vec<Short> = self.transfer.restrict(r, 1.0 / size);
+    /// z += P C⁻¹ Pᵀ r, weighted. Single precision has a narrow range: r should be of a size that is not far from one.
+    pub fn add(&self, r: &[Short], z: &mut [Short]) {
+        let mut spline = self.transfer.restrict(r);
         match &self.inverse {
             Inverse::Cube(diagonal) => diagonal.solve(&mut spline),
             Inverse::Domain(levels) => levels.solve(&mut spline),
         }
-        self.transfer.prolong(&spline, size, z);
+        self.transfer.prolong(&spline, z);
     }
 }
 

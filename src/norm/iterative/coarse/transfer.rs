@@ -38,9 +38,9 @@ struct Functional {
     /// The degree of the nodes.
     degree: usize,
     /// u from values, `[(unknown, node)]`.
-    values: DMatrix<f64>,
+    values: DMatrix<Short>,
     /// û from normal derivatives.
-    slopes: DMatrix<f64>,
+    slopes: DMatrix<Short>,
 }
 
 impl<const N: usize> Transfer<N> {
@@ -64,9 +64,9 @@ impl<const N: usize> Transfer<N> {
         transfer
     }
 
-    /// factor · Pᵀ r.
-    pub fn restrict(&self, r: &[f64], factor: f64) -> Vec<Short> {
-        let (plane, jets) = (self.grid.plane(), self.duals(r, factor));
+    /// Pᵀ r.
+    pub fn restrict(&self, r: &[Short]) -> Vec<Short> {
+        let (plane, jets) = (self.grid.plane(), self.duals(r));
         let mut spline = vec![0.0; self.grid.len()];
         let spread = |nodes: &[u32], chunk: &mut [Short], first: usize| {
             let mut stencil = Stencil::new(&self.grid);
@@ -81,7 +81,7 @@ impl<const N: usize> Transfer<N> {
     }
 
     /// What the nodes get from the unknowns' dual vector.
-    fn duals(&self, r: &[f64], factor: f64) -> Vec<Jet<N>> {
+    fn duals(&self, r: &[Short]) -> Vec<Jet<N>> {
         let mut jets = vec![Jet::ZERO; self.nodes.spots.len()];
         let mut rest = &mut jets[..];
         for (k, layer) in self.skeleton.order.layers.iter().enumerate() {
@@ -89,32 +89,28 @@ impl<const N: usize> Transfer<N> {
             let of_layer = rest.split_off_mut(..own * layer.simplices.len());
             let of_layer = of_layer.expect("every simplex has its nodes");
             for_chunks(of_layer, SIMPLICES * own.max(1), |piece, jets| {
-                let mut sums = vec![(0.0, Vector::zeros()); own];
                 for (i, jets) in jets.chunks_exact_mut(own.max(1)).enumerate() {
-                    self.duals_of(r, k, piece * SIMPLICES + i, &mut sums);
-                    for (jet, (value, gradient)) in jets.iter_mut().zip(&sums) {
-                        jet.value = (factor * value) as Short;
-                        jet.gradient = std::array::from_fn(|i| (factor * gradient[i]) as Short);
-                    }
+                    self.duals_of(r, k, piece * SIMPLICES + i, jets);
                 }
             });
         }
         jets
     }
 
-    /// The same for the own nodes of a k-simplex.
-    fn duals_of(&self, r: &[f64], k: usize, simplex: usize, sums: &mut [(f64, Vector<f64, N>)]) {
+    /// Adds the same for the own nodes of a k-simplex.
+    fn duals_of(&self, r: &[Short], k: usize, simplex: usize, jets: &mut [Jet<N>]) {
         let order = &self.skeleton.order;
-        sums.fill((0.0, Vector::zeros()));
         for (cell, which) in order.layers[k].star(simplex) {
             for user in self.nodes.users(k, cell, which) {
                 let at = order.layers[user.k].of_cell(cell)[user.which] as usize;
                 let r = &r[self.skeleton.of_simplex(user.k, at)];
                 let normal = self.along(user.k, at);
-                for ((value, gradient), &q) in sums.iter_mut().zip(&user.points) {
+                for (jet, &q) in jets.iter_mut().zip(&user.points) {
                     let (u, slope) = self.functionals[user.k].transposed(q, r);
-                    *value += u;
-                    *gradient += normal * slope;
+                    jet.value += u;
+                    for (gradient, n) in jet.gradient.iter_mut().zip(&normal) {
+                        *gradient += n * slope;
+                    }
                 }
             }
         }
@@ -122,9 +118,9 @@ impl<const N: usize> Transfer<N> {
 
     /// The direction of a simplex' slopes: only faces have some.
     #[inline]
-    fn along(&self, k: usize, simplex: usize) -> Vector<f64, N> {
+    fn along(&self, k: usize, simplex: usize) -> Vector<Short, N> {
         match k + 1 == N {
-            true => self.normals[simplex].map(f64::from),
+            true => self.normals[simplex],
             false => Vector::zeros(),
         }
     }
@@ -145,10 +141,10 @@ impl<const N: usize> Transfer<N> {
             for (i, row) in rows.chunks_exact_mut(patch.len()).enumerate() {
                 let mut jet = Jet::ZERO;
                 match i.checked_sub(u) {
-                    None => jet.value = functional.values[(i, q)] as Short,
+                    None => jet.value = functional.values[(i, q)],
                     Some(beta) => {
                         let slope = functional.slopes[(beta, q)];
-                        jet.gradient = std::array::from_fn(|i| (slope * normal[i]) as Short);
+                        jet.gradient = std::array::from_fn(|i| slope * normal[i]);
                     }
                 }
                 stencil.spread(jet, row);
@@ -176,8 +172,8 @@ impl<const N: usize> Transfer<N> {
         patch
     }
 
-    /// z += factor · P s.
-    pub fn prolong(&self, spline: &[Short], factor: f64, z: &mut [f64]) {
+    /// z += P s.
+    pub fn prolong(&self, spline: &[Short], z: &mut [Short]) {
         let mut jets = vec![Jet::ZERO; self.nodes.spots.len()];
         for_chunks(&mut jets, SIMPLICES, |piece, jets| {
             let mut stencil = Stencil::new(&self.grid);
@@ -194,9 +190,7 @@ impl<const N: usize> Transfer<N> {
                     let normal = self.along(k, simplex);
                     for (q, node) in self.nodes_of(k, simplex).enumerate() {
                         let Jet { value, gradient } = &jets[node];
-                        let gradient = Vector::from_fn(|i, _| f64::from(gradient[i]));
-                        let slope = factor * normal.dot(&gradient);
-                        functional.add(q, factor * f64::from(*value), slope, z);
+                        functional.add(q, *value, dot(normal.as_slice(), gradient), z);
                     }
                 }
             });
@@ -249,14 +243,14 @@ impl Functional {
         debug_assert_eq!(own.len() + slopes.nrows(), skeleton.widths[k]);
         Self {
             degree,
-            values,
-            slopes,
+            values: values.map(|x| x as Short),
+            slopes: slopes.map(|x| x as Short),
         }
     }
 
     /// Adds what a value and a normal derivative at node q give to the unknowns.
     #[inline]
-    fn add(&self, q: usize, value: f64, slope: f64, z: &mut [f64]) {
+    fn add(&self, q: usize, value: Short, slope: Short, z: &mut [Short]) {
         let (u, slopes) = z.split_at_mut(self.values.nrows());
         add(u, self.values.column(q).as_slice(), value);
         add(slopes, self.slopes.column(q).as_slice(), slope);
@@ -264,7 +258,7 @@ impl Functional {
 
     /// What node q gets from the unknowns' dual vector: the transpose of [`Functional::add`].
     #[inline]
-    fn transposed(&self, q: usize, r: &[f64]) -> (f64, f64) {
+    fn transposed(&self, q: usize, r: &[Short]) -> (Short, Short) {
         let (u, slopes) = r.split_at(self.values.nrows());
         (
             dot(self.values.column(q).as_slice(), u),
@@ -274,14 +268,14 @@ impl Functional {
 }
 
 #[inline]
-fn add(z: &mut [f64], column: &[f64], factor: f64) {
+fn add(z: &mut [Short], column: &[Short], factor: Short) {
     for (z, c) in z.iter_mut().zip(column) {
         *z += c * factor;
     }
 }
 
 #[inline]
-fn dot(x: &[f64], y: &[f64]) -> f64 {
+fn dot(x: &[Short], y: &[Short]) -> Short {
     x.iter().zip(y).map(|(x, y)| x * y).sum()
 }
 
