@@ -190,15 +190,22 @@ pub(crate) fn for_chunks<T: Send>(
     length: usize,
     work: impl Fn(usize, &mut [T]) + Sync,
 ) {
-    chunks(data, length, &work);
+    for_chunks_in(data, length, || (), |i, chunk, ()| work(i, chunk));
 }
 
+/// [`for_chunks`] with a room: `work(i, chunk i, room)`. `room` is a thread's own, as the last chunk left it.
 #[cfg(feature = "norms")]
-fn chunks<T: Send>(data: &mut [T], length: usize, work: &(dyn Fn(usize, &mut [T]) + Sync)) {
+pub(crate) fn for_chunks_in<T: Send, W>(
+    data: &mut [T],
+    length: usize,
+    room: impl Fn() -> W + Sync,
+    work: impl Fn(usize, &mut [T], &mut W) + Sync,
+) {
     let many = piece_of(data.len().div_ceil(length), 1);
     for_pieces(data.chunks_mut(many * length), &|piece, data| {
+        let mut room = room();
         for (i, chunk) in (piece * many..).zip(data.chunks_mut(length)) {
-            work(i, chunk);
+            work(i, chunk, &mut room);
         }
     });
 }

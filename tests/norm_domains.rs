@@ -59,10 +59,10 @@ fn tiny_meshes() {
     assert!(solver.solve(&load, &mut |_| ()).is_ok());
 }
 
-/// Measured on Fichera's corner with four steps of smoothing: 10 and 11 iterations for p = 2, 11 and 14 for p = 3. There are eight now.
+/// Measured on Fichera's corner: 6 and 9 iterations for p = 2, 8 and 11 for p = 3; on the L 9 to 11, on rounded squares 12 and 13.
 #[test]
 fn steps_do_not_grow() {
-    for (degree, most) in [(2, 16), (3, 20)] {
+    for (degree, most) in [(2, 12), (3, 14)] {
         let found = [4, 8].map(|side| steps(&fichera::<3>(side), degree));
         assert!(
             found.iter().all(|&s| s <= most),
@@ -70,7 +70,7 @@ fn steps_do_not_grow() {
         );
         assert!(found[1] <= found[0] + 5, "degree {degree}: {found:?}");
     }
-    for (degree, most) in [(2, 16), (3, 16), (4, 20)] {
+    for (degree, most) in [(2, 12), (3, 14), (4, 14)] {
         let found = [12, 24, 48].map(|side| steps(&fichera::<2>(side), degree));
         assert!(
             found.iter().all(|&s| s <= most),
@@ -78,7 +78,7 @@ fn steps_do_not_grow() {
         );
         let found = [12, 24, 48].map(|side| steps(&rounded::<2>(side), degree));
         assert!(
-            found.iter().all(|&s| s <= 2 * most),
+            found.iter().all(|&s| s <= most + 4),
             "rounded, degree {degree}: {found:?}"
         );
     }

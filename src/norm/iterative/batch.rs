@@ -46,21 +46,33 @@ impl<T: Number> Geometry<T> {
 pub(super) struct Batch<'a, T> {
     /// How many cells.
     pub lanes: usize,
-    /// The symmetric weights that stand between B̂ᵀ and B̂: row a·pairs + b.
+    /// The symmetric weights W_ab that stand between B̂ᵀ and B̂, b ≤ a: row [`lower`].
     weights: Vec<T>,
     /// ±h_f, by face.
     heights: &'a [T],
     /// p τ_v, by face and vertex of the face.
     tangents: &'a [T],
+    /// Room for the bubbles' energy.
+    energy: Vec<T>,
 }
 
 impl<'a, T: Number> Batch<'a, T> {
-    /// Some consecutive cells.
-    pub fn new<const N: usize>(
+    /// No cells.
+    pub const EMPTY: Self = Self {
+        lanes: 0,
+        weights: Vec::new(),
+        heights: &[],
+        tangents: &[],
+        energy: Vec::new(),
+    };
+
+    /// To one of the batches of consecutive cells.
+    pub fn turn_to<const N: usize>(
+        &mut self,
         element: &Element<N>,
         geometry: &'a Geometry<T>,
         batch: usize,
-    ) -> Self {
+    ) {
         let unit = CELLS * geometry.rows;
         let numbers = &geometry.numbers[batch * unit..];
         let numbers = &numbers[..unit.min(numbers.len())];
@@ -73,25 +85,18 @@ impl<'a, T: Number> Batch<'a, T> {
             pairs.position(|&pair| pair == (i.min(j), i.max(j)))
         };
         let q = |i: usize, j: usize| row(inverse, position(i, j).expect("a pair"), n);
-        let mut weights = vec![T::ZERO; pairs * pairs * n];
+        self.weights.resize(lower(pairs, 0) * n, T::ZERO);
         for a in 0..pairs {
             for b in 0..=a {
                 let ((i, j), (k, l)) = (element.pairs[a], element.pairs[b]);
                 let factors = [q(i, k), q(j, l), q(i, l), q(j, k)];
-                let target = row_mut(&mut weights, a * pairs + b, n);
+                let target = row_mut(&mut self.weights, lower(a, b), n);
                 for (lane, (w, volume)) in target.iter_mut().zip(volume).enumerate() {
                     *w = *volume * raise(factors.map(|row| row[lane]));
                 }
-                let (from, to) = (a * pairs + b, b * pairs + a);
-                weights.copy_within(from * n..(from + 1) * n, to * n);
             }
         }
-        Self {
-            lanes: n,
-            weights,
-            heights,
-            tangents,
-        }
+        (self.lanes, self.heights, self.tangents) = (n, heights, tangents);
     }
 
     /// (u, û) becomes (u, ŵ): ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}.
@@ -133,7 +138,7 @@ impl<'a, T: Number> Batch<'a, T> {
                 target.fill(T::ZERO);
                 for b in 0..pairs {
                     let (w, y) = (
-                        row(&self.weights, a * pairs + b, n),
+                        row(&self.weights, lower(a.max(b), a.min(b)), n),
                         row(y, b * size + k, n),
                     );
                     for ((t, w), y) in target.iter_mut().zip(w).zip(y) {
@@ -144,15 +149,17 @@ impl<'a, T: Number> Batch<'a, T> {
         }
     }
 
-    /// t becomes (B̂_bᵀ (W ⊗ I) B̂_b)⁻¹ t for the bubbles b, by Cholesky's method lane by lane.
-    pub fn solve_bubbles(&self, gram: &[DMatrix<T>], t: &mut [T]) {
-        let (n, bubbles) = (self.lanes, t.len() / self.lanes);
-        let mut a = vec![T::ZERO; bubbles * bubbles * n];
+    /// t becomes (B̂_bᵀ (W ⊗ I) B̂_b)⁻¹ t for the bubbles b, by Cholesky's method lane by lane. `gram` has a matrix for each of the
+    /// weights.
+    pub fn solve_bubbles(&mut self, gram: &[DMatrix<T>], t: &mut [T]) {
+        let (n, bubbles, a) = (self.lanes, t.len() / self.lanes, &mut self.energy);
+        a.clear();
+        a.resize(bubbles * bubbles * n, T::ZERO);
         for (w, gram) in self.weights.chunks_exact(n).zip(gram) {
             for i in 0..bubbles {
                 for j in 0..=i {
                     let g = gram[(i, j)];
-                    for (a, w) in row_mut(&mut a, i * bubbles + j, n).iter_mut().zip(w) {
+                    for (a, w) in row_mut(a, i * bubbles + j, n).iter_mut().zip(w) {
                         *a += g * *w;
                     }
                 }
@@ -178,6 +185,12 @@ impl<'a, T: Number> Batch<'a, T> {
             }
         }
     }
+}
+
+/// Where entry (a, b), b ≤ a, of a symmetric matrix is in its lower triangle, row after row.
+#[inline]
+pub(super) fn lower(a: usize, b: usize) -> usize {
+    a * (a + 1) / 2 + b
 }
 
 /// Row i of rows of n lanes.

@@ -1,20 +1,20 @@
 //! The preconditioner: a symmetric cycle of smoothing, coarse correction and smoothing again.
 //!
-//! The smoother is Chebyshev's iteration with the blocks' inverses J. With E = (1 − S A)(1 − C A)(1 − S A) the cycle is
+//! The smoother S is a polynomial of J A times J, the blocks' inverses. With E = (1 − S A)(1 − C A)(1 − S A) the cycle is
 //! (1 − E) A⁻¹, which is symmetric, and positive definite whenever the smoother converges, whatever the weight of C.
 
 use super::cg::{axpy, convert, dot};
-use super::chebyshev::{Chebyshev, Room, Smoothed};
-use super::coarse::Coarse;
+use super::coarse::{Coarse, Rooms};
 use super::jacobi::BlockJacobi;
 use super::operator::Operator;
+use super::smoother::{Room, Smoothed, Smoother};
 
 /// What the cycle is made of, in single precision: the steps of conjugate gradients around it are in double precision, and none
 /// of them hangs on its last digits.
 #[derive(Debug)]
 pub(super) struct Cycle<const N: usize> {
     fine: Fine<N>,
-    smoother: Chebyshev,
+    smoother: Smoother,
     coarse: Coarse<N>,
 }
 
@@ -50,14 +50,14 @@ impl<const N: usize> Smoothed for Fine<N> {
 pub(super) struct Workshop<const N: usize> {
     z: Vec<f32>,
     room: Room<Fine<N>>,
+    coarse: Option<Rooms<N>>,
 }
 
 impl<const N: usize> Cycle<N> {
     pub fn new(operator: Operator<f32, N>, jacobi: BlockJacobi, coarse: Coarse<N>) -> Self {
         let fine = Fine { operator, jacobi };
-        let (steps, ratio) = coarse.smoothing();
         Self {
-            smoother: Chebyshev::new(steps, ratio, &fine),
+            smoother: Smoother::new(coarse.smoothing(), &fine),
             fine,
             coarse,
         }
@@ -67,6 +67,7 @@ impl<const N: usize> Cycle<N> {
         Workshop {
             z: vec![0.0; self.fine.len()],
             room: Room::new(&self.fine),
+            coarse: None,
         }
     }
 
@@ -78,16 +79,18 @@ impl<const N: usize> Cycle<N> {
             return z.fill(0.0);
         }
         convert(r, 1.0 / size, &mut workshop.room.residual);
-        self.cycle(&mut workshop.z, &mut workshop.room);
+        self.cycle(workshop);
         convert(&workshop.z, size, z);
     }
 
     /// z from the residual.
-    fn cycle(&self, z: &mut [f32], room: &mut Room<Fine<N>>) {
+    fn cycle(&self, workshop: &mut Workshop<N>) {
+        let Workshop { z, room, coarse } = workshop;
         z.fill(0.0);
         self.smoother.smooth(&self.fine, z, room, true);
         room.correction.fill(0.0);
-        self.coarse.add(&room.residual, &mut room.correction);
+        self.coarse
+            .add(&room.residual, &mut room.correction, coarse);
         axpy(z, 1.0, &room.correction);
         room.subtract_image(&self.fine);
         self.smoother.smooth(&self.fine, z, room, false);

@@ -2,7 +2,6 @@
 
 mod batch;
 mod cg;
-mod chebyshev;
 mod coarse;
 mod cycle;
 mod jacobi;
@@ -10,6 +9,7 @@ mod number;
 mod operator;
 mod order;
 mod skeleton;
+mod smoother;
 
 use super::dual::{Representative, Step, Target};
 use super::hhj::{Hhj, Size};

@@ -8,7 +8,7 @@ use super::batch::{Batch, CELLS, Geometry, row, row_mut};
 use super::number::Number;
 use super::skeleton::Skeleton;
 use crate::norm::hhj::Hhj;
-use crate::parallel::for_chunks;
+use crate::parallel::{for_chunks, for_chunks_in};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
@@ -19,7 +19,7 @@ use std::sync::Arc;
 pub(super) struct Operator<T, const N: usize> {
     pub hhj: Arc<Hhj<N>>,
     pub skeleton: Arc<Skeleton>,
-    /// B̂_aᵀ B̂_b restricted to the bubbles, in the order a·pairs + b.
+    /// B̂_aᵀ B̂_b + B̂_bᵀ B̂_a restricted to the bubbles, or half of it where a = b: row after row of the lower triangle.
     gram: Vec<DMatrix<T>>,
     /// B̂.
     pairing: DMatrix<T>,
@@ -35,10 +35,13 @@ impl<T: Number, const N: usize> Operator<T, N> {
         let (size, bubbles) = (element.moments.len(), element.layout.bubbles);
         let block = |a: usize| element.pairing.view((a * size, 0), (size, bubbles));
         let pairs = element.pairs.len();
-        let gram = (0..pairs * pairs)
-            .map(|ab| block(ab / pairs).transpose() * block(ab % pairs))
-            .map(|gram: DMatrix<f64>| gram.map(T::of))
-            .collect();
+        let product = |a: usize, b: usize| -> DMatrix<f64> { block(a).transpose() * block(b) };
+        let entries = (0..pairs).flat_map(|a| (0..=a).map(move |b| (a, b)));
+        let gram = entries.map(|(a, b)| match a == b {
+            true => product(a, a),
+            false => product(a, b) + product(b, a),
+        });
+        let gram = gram.map(|gram| gram.map(T::of)).collect();
         Self {
             hhj: hhj.clone(),
             skeleton: skeleton.clone(),
@@ -66,14 +69,27 @@ impl<T: Number, const N: usize> Operator<T, N> {
 
     /// y = S x for the Schur complement S of the bubbles. `room` is overwritten.
     pub fn apply(&self, x: &[T], y: &mut [T], room: &mut [T]) {
-        for_chunks(room, CELLS * self.outer(), |batch, out| {
-            let mut work = Work::new(self, batch);
+        self.for_batches(room, &|work, out| {
             work.load(x);
             work.bend(&|_| T::ZERO);
             work.unload(out);
         });
         y.fill(T::ZERO);
         self.collect(room, y, T::ONE);
+    }
+
+    /// `work` at all batches, with the place for their results.
+    fn for_batches(&self, room: &mut [T], work: &(dyn Fn(&mut Work<'_, T, N>, &mut [T]) + Sync)) {
+        let stride = CELLS * self.outer();
+        for_chunks_in(
+            room,
+            stride,
+            || Work::new(self),
+            |batch, out, at| {
+                at.turn_to(batch);
+                work(at, out);
+            },
+        );
     }
 
     /// y += factor · the sum over the cells.
@@ -114,8 +130,8 @@ impl<T: Number, const N: usize> Operator<T, N> {
 impl<const N: usize> Operator<f64, N> {
     /// y −= A_sb A_bb⁻¹ f_b: the bubbles' load handed on to the other unknowns.
     pub fn condense(&self, load: &[f64], y: &mut [f64], room: &mut [f64]) {
-        for_chunks(room, CELLS * self.outer(), |batch, out| {
-            let mut work = Work::new(self, batch);
+        self.for_batches(room, &|work, out| {
+            work.y.fill(0.0);
             work.bend(&|place| load[place]);
             work.unload(out);
         });
@@ -129,11 +145,10 @@ impl<const N: usize> Operator<f64, N> {
             return;
         }
         let (cells, stride) = (self.skeleton.order.cells.len(), CELLS * self.outer());
-        for_chunks(room, stride, |batch, out| {
-            let mut work = Work::new(self, batch);
+        self.for_batches(room, &|work, out| {
             work.load(x);
-            let bubbles = work.bend(&|place| load[place]);
-            out[..bubbles.len()].copy_from_slice(&bubbles);
+            work.bend(&|place| load[place]);
+            out[..work.t.len()].copy_from_slice(&work.t);
         });
         for cell in 0..cells {
             let (batch, lane) = (cell / CELLS, cell % CELLS);
@@ -145,7 +160,7 @@ impl<const N: usize> Operator<f64, N> {
     }
 }
 
-/// A batch at work.
+/// A batch at work, and after it the next.
 struct Work<'a, T, const N: usize> {
     operator: &'a Operator<T, N>,
     batch: Batch<'a, T>,
@@ -156,27 +171,42 @@ struct Work<'a, T, const N: usize> {
     /// B̂ x, and (W ⊗ I) B̂ x.
     y: Vec<T>,
     z: Vec<T>,
+    /// The bubbles.
+    t: Vec<T>,
 }
 
 impl<'a, T: Number, const N: usize> Work<'a, T, N> {
-    fn new(operator: &'a Operator<T, N>, batch: usize) -> Self {
-        let (hhj, begin) = (&operator.hhj, batch * CELLS);
-        let batch = Batch::new(hhj.element(), &operator.geometry, batch);
-        let (lanes, rows) = (batch.lanes, hhj.element().pairing.nrows());
+    fn new(operator: &'a Operator<T, N>) -> Self {
+        let [x, y, z, t] = [const { Vec::new() }; 4];
         Self {
             operator,
-            batch,
-            begin,
-            x: vec![T::ZERO; hhj.layout().len * lanes],
-            y: vec![T::ZERO; rows * lanes],
-            z: vec![T::ZERO; rows * lanes],
+            batch: Batch::EMPTY,
+            begin: 0,
+            x,
+            y,
+            z,
+            t,
         }
+    }
+
+    /// To another batch. What is computed is left over from the one before.
+    fn turn_to(&mut self, batch: usize) {
+        let (element, layout) = (self.operator.hhj.element(), self.operator.hhj.layout());
+        self.begin = batch * CELLS;
+        self.batch.turn_to(element, &self.operator.geometry, batch);
+        let (lanes, rows) = (self.batch.lanes, element.pairing.nrows());
+        self.x.resize(layout.len * lanes, T::ZERO);
+        self.y.resize(rows * lanes, T::ZERO);
+        self.z.resize(rows * lanes, T::ZERO);
+        self.t.resize(layout.bubbles * lanes, T::ZERO);
     }
 
     /// y = B̂ T x for the cells' part of a global x, without bubbles.
     fn load(&mut self, global: &[T]) {
         let (hhj, skeleton) = (&self.operator.hhj, &self.operator.skeleton);
         let (element, lanes) = (hhj.element(), self.batch.lanes);
+        // Bubbles, and what is zero on ∂Ω.
+        self.x.fill(T::ZERO);
         for lane in 0..lanes {
             let cell = self.begin + lane;
             for block in &element.layout.blocks {
@@ -195,8 +225,8 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         );
     }
 
-    /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y), which are returned; `f` by places.
-    fn bend(&mut self, f: &dyn Fn(usize) -> T) -> Vec<T> {
+    /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y); `f` by places.
+    fn bend(&mut self, f: &dyn Fn(usize) -> T) {
         let operator = self.operator;
         let (element, lanes) = (operator.hhj.element(), self.batch.lanes);
         let (pairs, size, bubbles) = (
@@ -205,10 +235,10 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
             element.layout.bubbles,
         );
         self.batch.weigh(pairs, size, &self.y, &mut self.z);
-        let mut t = vec![T::ZERO; bubbles * lanes];
         if bubbles == 0 {
-            return t;
+            return;
         }
+        let t = &mut self.t;
         for lane in 0..lanes {
             for (i, place) in operator.skeleton.bubbles(self.begin + lane).enumerate() {
                 t[i * lanes + lane] = f(place);
@@ -217,28 +247,24 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         for i in 0..bubbles {
             for r in 0..pairs * size {
                 let b = operator.pairing[(r, i)];
-                for (t, z) in row_mut(&mut t, i, lanes)
-                    .iter_mut()
-                    .zip(row(&self.z, r, lanes))
-                {
+                for (t, z) in row_mut(t, i, lanes).iter_mut().zip(row(&self.z, r, lanes)) {
                     *t -= b * *z;
                 }
             }
         }
-        self.batch.solve_bubbles(&operator.gram, &mut t);
+        self.batch.solve_bubbles(&operator.gram, t);
         for i in 0..bubbles {
             for r in 0..pairs * size {
                 let b = operator.pairing[(r, i)];
                 for (y, t) in row_mut(&mut self.y, r, lanes)
                     .iter_mut()
-                    .zip(row(&t, i, lanes))
+                    .zip(row(t, i, lanes))
                 {
                     *y += b * *t;
                 }
             }
         }
         self.batch.weigh(pairs, size, &self.y, &mut self.z);
-        t
     }
 
     /// Tᵀ B̂ᵀ z without the bubbles' rows.

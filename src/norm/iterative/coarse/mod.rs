@@ -18,6 +18,7 @@ use super::skeleton::Skeleton;
 use crate::Error;
 use crate::norm::hhj::{Hhj, Size};
 use domain::Levels;
+pub(super) use domain::Rooms;
 use lattice::Lattice;
 use modes::Diagonal;
 use std::sync::Arc;
@@ -55,27 +56,30 @@ impl<const N: usize> Coarse<N> {
         Ok(Self { transfer, inverse })
     }
 
-    /// How the mesh's unknowns are best smoothed around the correction: how many steps of Chebyshev's iteration, and the
-    /// largest eigenvalue over the least that is smoothed.
+    /// How many steps of smoothing around the correction are best.
     ///
-    /// Measured on the cube: with two steps and 2 or 8 the iteration takes up to a fifth longer, and a third step saves next
-    /// to nothing. Cells from elsewhere differ in size and shape, and their lattice is coarser: eight steps with 34 take 19 iterations
-    /// for 34 with four and 12 on a ball of 31 611 tetrahedra, p = 3, and 15 for 23 on one of 153 475, p = 2. In the plane
-    /// three take 24 for 35 on an L of 249 696 triangles and 0.84 of the time, four take as long as three.
-    pub fn smoothing(&self) -> (usize, f64) {
+    /// Measured: on the cube a third step saves next to nothing. Cells from elsewhere differ in size and shape, and their lattice is
+    /// coarser: on a Fichera corner of 157 179 tetrahedra, p = 3, five, six, seven and eight steps take 28, 23, 21 and 21 iterations, on
+    /// a ball of 153 475, p = 2, 21, 18, 15 and 14, and seven take the least time. In the plane two take as many iterations as three on
+    /// triangles by Gmsh. On triangles of a moved lattice, which are half as high for their size, two take 74 where six take 27, and a
+    /// third longer.
+    pub fn smoothing(&self) -> usize {
         match self.inverse {
-            Inverse::Cube(_) => (2, 4.0),
-            Inverse::Domain(_) if N == 2 => (3, 8.0),
-            Inverse::Domain(_) => (8, 34.0),
+            Inverse::Domain(_) if N == 3 => 7,
+            _ => 2,
         }
     }
 
     /// z += P C⁻¹ Pᵀ r, weighted. Single precision has a narrow range: r should be of a size that is not far from one.
-    pub fn add(&self, r: &[Short], z: &mut [Short]) {
+    /// `rooms` are made the first time.
+    pub fn add(&self, r: &[Short], z: &mut [Short], rooms: &mut Option<Rooms<N>>) {
         let mut spline = self.transfer.restrict(r);
         match &self.inverse {
             Inverse::Cube(diagonal) => diagonal.solve(&mut spline),
-            Inverse::Domain(levels) => levels.solve(&mut spline),
+            Inverse::Domain(levels) => {
+                let rooms = rooms.get_or_insert_with(|| levels.rooms());
+                levels.solve(&mut spline, rooms);
+            }
         }
         self.transfer.prolong(&spline, z);
     }

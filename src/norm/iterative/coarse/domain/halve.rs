@@ -1,9 +1,12 @@
 //! From a lattice to one with boxes twice as large: a spline there is Σ_k w_k b_(2I−3+k) along each axis, w = (1 4 6 4 1)/8.
 
 use super::super::patch::Patch;
+use super::super::stencil::Short;
 use super::galerkin::planes;
 use super::level::{Kind, Level, Plane};
+use crate::norm::iterative::number::Number;
 use crate::parallel::for_chunks;
+use std::borrow::Cow;
 
 /// The two-scale relation.
 const WEIGHTS: [f64; 5] = [0.125, 0.5, 0.75, 0.5, 0.125];
@@ -31,26 +34,26 @@ fn parents(low: usize, high: usize) -> (usize, usize) {
 
 /// One axis: the sums over the children of the coarse splines from `to.0` to `to.1`, of the numbers of the fine ones from
 /// `from.0` to `from.1`; `inner` numbers belong to each.
-fn gather(x: &[f64], inner: usize, from: (usize, usize), to: (usize, usize), y: &mut [f64]) {
+fn gather<T: Number>(x: &[T], inner: usize, from: (usize, usize), to: (usize, usize), y: &mut [T]) {
     for coarse in to.0..to.1 {
         let y = &mut y[(coarse - to.0) * inner..][..inner];
         let (first, end) = children(coarse, from.1);
         for fine in first.max(from.0)..end {
-            let weight = weight(coarse, fine);
+            let weight = T::of(weight(coarse, fine));
             let x = &x[(fine - from.0) * inner..][..inner];
             for (y, x) in y.iter_mut().zip(x) {
-                *y += weight * x;
+                *y += weight * *x;
             }
         }
     }
 }
 
 /// The transpose of [`gather`] for all splines of an axis.
-fn spread(x: &[f64], inner: usize, coarse: usize, fine: usize, y: &mut [f64]) {
+fn spread(x: &[Short], inner: usize, coarse: usize, fine: usize, y: &mut [Short]) {
     for (parent, x) in x.chunks_exact(inner).enumerate().take(coarse) {
         let (first, end) = children(parent, fine);
         for child in first..end {
-            let weight = weight(parent, child);
+            let weight = weight(parent, child) as Short;
             let y = &mut y[child * inner..][..inner];
             for (y, x) in y.iter_mut().zip(x) {
                 *y += weight * x;
@@ -60,9 +63,8 @@ fn spread(x: &[f64], inner: usize, coarse: usize, fine: usize, y: &mut [f64]) {
 }
 
 /// The dual vector of the coarser lattice from that of the finer one.
-pub(super) fn restrict<const N: usize>(x: &[f64], sides: &[usize; N]) -> Vec<f64> {
-    let mut x = x.to_vec();
-    let mut inner = 1;
+pub(super) fn restrict<const N: usize>(x: &[Short], sides: &[usize; N]) -> Vec<Short> {
+    let (mut x, mut inner) = (Cow::Borrowed(x), 1);
     for &side in sides {
         let coarse = halved(side);
         let outer = x.len() / (inner * side);
@@ -71,15 +73,14 @@ pub(super) fn restrict<const N: usize>(x: &[f64], sides: &[usize; N]) -> Vec<f64
             let x = &x[i * inner * side..][..inner * side];
             gather(x, inner, (0, side), (0, coarse), y);
         });
-        x = y;
+        x = Cow::Owned(y);
         inner *= coarse;
     }
-    x
+    x.into_owned()
 }
 
 /// The spline of the coarser lattice on the finer one.
-pub(super) fn prolong<const N: usize>(x: &[f64], sides: &[usize; N]) -> Vec<f64> {
-    let mut x = x.to_vec();
+pub(super) fn prolong<const N: usize>(mut x: Vec<Short>, sides: &[usize; N]) -> Vec<Short> {
     let mut inner = 1;
     for &side in sides {
         let coarse = halved(side);

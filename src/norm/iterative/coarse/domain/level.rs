@@ -2,7 +2,7 @@
 
 use super::super::patch::Patch;
 use super::super::stencil::Short;
-use crate::norm::iterative::chebyshev::Smoothed;
+use crate::norm::iterative::smoother::Smoothed;
 use crate::parallel::for_chunks;
 
 /// What is known of a spline's row.
@@ -27,7 +27,7 @@ pub(super) struct Level<const N: usize> {
     /// The row of every deep spline: 7^N numbers.
     pub stencil: Vec<f64>,
     /// The inverse diagonal; zero where there is no row.
-    inverse: Vec<f64>,
+    inverse: Vec<Short>,
 }
 
 /// The stored rows of a plane.
@@ -106,7 +106,7 @@ impl<const N: usize> Level<N> {
                 Kind::Stored => level.entry(at),
             };
             match diagonal > NOTHING * middle {
-                true => level.inverse[at] = 1.0 / diagonal,
+                true => level.inverse[at] = (1.0 / diagonal) as Short,
                 false => level.kinds[at] = Kind::Idle,
             }
         }
@@ -144,7 +144,7 @@ impl<const N: usize> Level<N> {
     }
 
     /// Sets to zero what belongs to no row.
-    pub fn clear(&self, x: &mut [f64]) {
+    pub fn clear(&self, x: &mut [Short]) {
         for (x, kind) in x.iter_mut().zip(&self.kinds) {
             if *kind == Kind::Idle {
                 *x = 0.0;
@@ -153,13 +153,14 @@ impl<const N: usize> Level<N> {
     }
 
     /// The part of `apply` along a line of a plane for deep splines next to each other.
-    fn stencil_line(&self, x: &[f64], at: usize, y: &mut [f64]) {
+    fn stencil_line(&self, x: &[Short], at: usize, y: &mut [Short]) {
         let site = Patch::whole(&self.sides).site(at);
         let patch = Patch::around(&site, 3, &self.sides);
         let whole = Patch::whole(&self.sides);
         for (line, weights) in patch.lines().zip(self.stencil.chunks_exact(7)) {
             let begin = whole.position(&line);
             for (i, &weight) in weights.iter().enumerate() {
+                let weight = weight as Short;
                 for (y, x) in y.iter_mut().zip(&x[begin + i..]) {
                     *y += weight * x;
                 }
@@ -168,7 +169,7 @@ impl<const N: usize> Level<N> {
     }
 
     /// A stored row times x. Four sums, which do not wait for each other, and one of what is left of the lines.
-    fn row_times(&self, plane: &Plane<N>, row: &Row<N>, x: &[f64]) -> f64 {
+    fn row_times(&self, plane: &Plane<N>, row: &Row<N>, x: &[Short]) -> Short {
         let (whole, along) = (Patch::whole(&self.sides), row.patch.sides()[0]);
         let values = plane.numbers(row);
         let (mut sums, mut last) = ([0.0; 4], 0.0);
@@ -178,19 +179,19 @@ impl<const N: usize> Level<N> {
             let (x_fours, x_rest) = x[begin..begin + along].as_chunks::<4>();
             for (values, x) in fours.iter().zip(x_fours) {
                 for i in 0..4 {
-                    sums[i] += f64::from(values[i]) * x[i];
+                    sums[i] += values[i] * x[i];
                 }
             }
             for (value, x) in rest.iter().zip(x_rest) {
-                last += f64::from(*value) * x;
+                last += value * x;
             }
         }
-        sums.into_iter().sum::<f64>() + last
+        sums.into_iter().sum::<Short>() + last
     }
 }
 
 impl<const N: usize> Smoothed for Level<N> {
-    type Number = f64;
+    type Number = Short;
     type Room = ();
 
     fn room(&self) {}
@@ -199,7 +200,7 @@ impl<const N: usize> Smoothed for Level<N> {
         self.inverse.len()
     }
 
-    fn apply(&self, x: &[f64], y: &mut [f64], (): &mut ()) {
+    fn apply(&self, x: &[Short], y: &mut [Short], (): &mut ()) {
         let unit = self.plane();
         for_chunks(y, unit, |plane, y| {
             y.fill(0.0);
@@ -219,7 +220,7 @@ impl<const N: usize> Smoothed for Level<N> {
         });
     }
 
-    fn invert(&self, r: &[f64], z: &mut [f64]) {
+    fn invert(&self, r: &[Short], z: &mut [Short]) {
         for ((z, r), inverse) in z.iter_mut().zip(r).zip(&self.inverse) {
             *z = r * inverse;
         }

@@ -13,14 +13,13 @@ use crate::Error;
 use crate::linalg::Vector;
 use crate::norm::hhj::{Hhj, Size};
 use crate::norm::iterative::cg::axpy;
-use crate::norm::iterative::chebyshev::{Chebyshev, Room};
+use crate::norm::iterative::smoother::{Room, Smoother};
 use crate::parallel::collect;
 use level::{Kind, Level};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-/// How many steps of Chebyshev's iteration smooth, and the largest eigenvalue over the least that is smoothed.
+/// How many steps smooth a lattice's splines.
 const STEPS: usize = 3;
-const RATIO: f64 = 8.0;
 /// With so many splines a lattice is solved on by a dense factor.
 const FEW: usize = 600;
 /// What is added to the factor's diagonal of ones: splines that differ only outside the mesh are all but the same there, and
@@ -64,8 +63,8 @@ pub(super) fn background<const N: usize>(hhj: &Hhj<N>) -> Result<Grid<N>, Error>
 /// The lattices' forms, the finest first.
 #[derive(Debug)]
 pub(super) struct Levels<const N: usize> {
-    levels: Vec<(Level<N>, Chebyshev)>,
-    coarsest: Dense<N>,
+    levels: Vec<(Level<N>, Smoother)>,
+    coarsest: Dense,
 }
 
 impl<const N: usize> Levels<N> {
@@ -81,47 +80,52 @@ impl<const N: usize> Levels<N> {
             > FEW
         {
             let coarser = level.halved();
-            let smoother = Chebyshev::new(STEPS, RATIO, &level);
+            let smoother = Smoother::new(STEPS, &level);
             levels.push((std::mem::replace(&mut level, coarser), smoother));
         }
         Ok(Self {
             levels,
-            coarsest: Dense::new(level)?,
+            coarsest: Dense::new(&level)?,
         })
     }
 
-    /// s becomes about C⁻¹ s.
-    pub fn solve(&self, s: &mut [Short]) {
-        let r = s.iter().map(|&x| f64::from(x)).collect();
-        let z = self.cycle(0, r);
-        for (s, z) in s.iter_mut().zip(z) {
-            *s = z as Short;
-        }
+    /// What [`Levels::solve`] works with.
+    pub fn rooms(&self) -> Rooms<N> {
+        let levels = self.levels.iter();
+        Rooms(levels.map(|(level, _)| Room::new(level)).collect())
     }
 
-    /// A symmetric cycle from this level on.
-    fn cycle(&self, depth: usize, r: Vec<f64>) -> Vec<f64> {
-        let Some((level, smoother)) = self.levels.get(depth) else {
-            return self.coarsest.solve(&r);
+    /// s becomes about C⁻¹ s.
+    pub fn solve(&self, s: &mut [Short], rooms: &mut Rooms<N>) {
+        self.cycle(0, s, &mut rooms.0);
+    }
+
+    /// A symmetric cycle from this level on: z becomes about C⁻¹ z.
+    fn cycle(&self, depth: usize, z: &mut [Short], rooms: &mut [Room<Level<N>>]) {
+        let (Some((level, smoother)), Some((room, rooms))) =
+            (self.levels.get(depth), rooms.split_first_mut())
+        else {
+            return self.coarsest.solve(z);
         };
-        let mut z = vec![0.0; r.len()];
-        let mut room = Room::new(level);
-        room.residual = r;
-        smoother.smooth(level, &mut z, &mut room, true);
-        let coarse = self.cycle(depth + 1, halve::restrict(&room.residual, &level.sides));
-        room.correction = halve::prolong(&coarse, &level.sides);
+        room.residual.copy_from_slice(z);
+        z.fill(0.0);
+        smoother.smooth(level, z, room, true);
+        let mut coarse = halve::restrict(&room.residual, &level.sides);
+        self.cycle(depth + 1, &mut coarse, rooms);
+        room.correction = halve::prolong(coarse, &level.sides);
         level.clear(&mut room.correction);
-        axpy(&mut z, 1.0, &room.correction);
+        axpy(z, 1.0, &room.correction);
         room.subtract_image(level);
-        smoother.smooth(level, &mut z, &mut room, false);
-        z
+        smoother.smooth(level, z, room, false);
     }
 }
 
+/// Vectors for each level but the coarsest.
+pub(in crate::norm::iterative) struct Rooms<const N: usize>(Vec<Room<Level<N>>>);
+
 /// The form on a coarsest lattice, factorised.
 #[derive(Debug)]
-struct Dense<const N: usize> {
-    level: Level<N>,
+struct Dense {
     /// The splines that are not idle.
     active: Vec<usize>,
     /// The inverse square roots of the diagonal.
@@ -129,8 +133,8 @@ struct Dense<const N: usize> {
     factor: Cholesky<f64, Dyn>,
 }
 
-impl<const N: usize> Dense<N> {
-    fn new(level: Level<N>) -> Result<Self, Error> {
+impl Dense {
+    fn new<const N: usize>(level: &Level<N>) -> Result<Self, Error> {
         let splines = 0..level.kinds.len();
         let active: Vec<usize> = splines
             .filter(|&at| level.kinds[at] != Kind::Idle)
@@ -160,21 +164,20 @@ impl<const N: usize> Dense<N> {
         let failed = || Error::Solver("the coarsest splines' form is indefinite".into());
         Ok(Self {
             factor: a.cholesky().ok_or_else(failed)?,
-            level,
             active,
             scales,
         })
     }
 
-    fn solve(&self, r: &[f64]) -> Vec<f64> {
-        let of_active = self.active.iter().zip(&self.scales);
-        let mut x = DVector::from_vec(of_active.map(|(&at, scale)| scale * r[at]).collect());
+    fn solve(&self, z: &mut [Short]) {
+        let scaled = self.active.iter().zip(&self.scales);
+        let scaled = scaled.map(|(&at, scale)| scale * f64::from(z[at]));
+        let mut x = DVector::from_vec(scaled.collect());
         self.factor.solve_mut(&mut x);
-        let mut z = vec![0.0; self.level.kinds.len()];
+        z.fill(0.0);
         for ((&at, scale), x) in self.active.iter().zip(&self.scales).zip(x.iter()) {
-            z[at] = scale * x;
+            z[at] = (scale * x) as Short;
         }
-        z
     }
 }
 
