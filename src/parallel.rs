@@ -201,6 +201,16 @@ pub(crate) fn for_chunks_in<T: Send, W>(
     room: impl Fn() -> W + Sync,
     work: impl Fn(usize, &mut [T], &mut W) + Sync,
 ) {
+    chunks(data, length, &room, &work);
+}
+
+#[cfg(feature = "norms")]
+fn chunks<T: Send, W>(
+    data: &mut [T],
+    length: usize,
+    room: &(dyn Fn() -> W + Sync),
+    work: &(dyn Fn(usize, &mut [T], &mut W) + Sync),
+) {
     let many = piece_of(data.len().div_ceil(length), 1);
     for_pieces(data.chunks_mut(many * length), &|piece, data| {
         let mut room = room();

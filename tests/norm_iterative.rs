@@ -218,7 +218,8 @@ fn memory_is_estimated_from_a_census() {
     let census = Census::cube(3, 4);
     assert_eq!(census, Census::of(&mesh));
     let need = |census: &Census, degree| HMinus2::<3>::memory(census, degree);
-    // The iteration's vectors, blocks and places, and no factor; on a cube it begins between these two degrees.
+    // The iteration's vectors, blocks and places, and no factor; it begins between these two degrees. Elsewhere it has rows of splines
+    // besides.
     assert_eq!(HMinus2::new(&mesh, 5).unwrap().solver(), "cg");
     assert_eq!(HMinus2::new(&mesh, 3).unwrap().solver(), "cholesky");
     let elsewhere = Census {

@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// factor of a square's lattice stays small, and its moved triangles take the iteration many steps.
 const MANY_ON_A_CUBE: [usize; 2] = [3_000_000, 15_000];
 /// The same for other meshes, in the plane and in space. In space the direct solver takes about 2.5e-10 n² seconds for n unknowns on
-/// two threads, the iteration 2e-5 n to 3e-5 n. In the plane both take 2.5 seconds for 314 147 unknowns (p = 2), 26 and 12 seconds for
+/// two threads, the iteration 2e-5 n to 3e-5 n. In the plane both take 2 seconds for 314 147 unknowns (p = 2), 27 and 12 seconds for
 /// 2.2 million (p = 3), and the iteration's memory is a fifth to a ninth.
 const MANY: [usize; 2] = [100_000, 50_000];
 

@@ -50,7 +50,7 @@ impl<const N: usize> Smoothed for Fine<N> {
 pub(super) struct Workshop<const N: usize> {
     z: Vec<f32>,
     room: Room<Fine<N>>,
-    coarse: Option<Rooms<N>>,
+    coarse: Rooms<N>,
 }
 
 impl<const N: usize> Cycle<N> {
@@ -67,7 +67,7 @@ impl<const N: usize> Cycle<N> {
         Workshop {
             z: vec![0.0; self.fine.len()],
             room: Room::new(&self.fine),
-            coarse: None,
+            coarse: self.coarse.rooms(),
         }
     }
 

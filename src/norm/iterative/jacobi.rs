@@ -1,5 +1,6 @@
 //! The diagonal blocks of the condensed operator, one a simplex, inverted.
 
+use super::batch::lower;
 use super::skeleton::Skeleton;
 use crate::Error;
 use crate::mesh::Mesh;
@@ -57,7 +58,7 @@ impl BlockJacobi {
 
 /// How many entries the lower triangle of a block has.
 fn packed(width: usize) -> usize {
-    width * (width + 1) / 2
+    lower(width, 0)
 }
 
 /// The blocks A_ss, as those of [`BlockJacobi`] but in double precision.
@@ -140,8 +141,7 @@ fn invert<const N: usize>(
 
 /// A⁻¹ = L⁻ᵀ L⁻¹ from the lower triangle of A; not finite where A is not positive definite.
 fn invert_one(n: usize, a: &[f64], inverse: &mut [f32]) {
-    let at = |i: usize, j: usize| i * (i + 1) / 2 + j;
-    let mut l = a.to_vec();
+    let (at, mut l) = (lower, a.to_vec());
     for j in 0..n {
         let square: f64 = (0..j).map(|k| l[at(j, k)] * l[at(j, k)]).sum();
         l[at(j, j)] = (l[at(j, j)] - square).sqrt();

@@ -177,7 +177,7 @@ struct Work<'a, T, const N: usize> {
 
 impl<'a, T: Number, const N: usize> Work<'a, T, N> {
     fn new(operator: &'a Operator<T, N>) -> Self {
-        let [x, y, z, t] = [const { Vec::new() }; 4];
+        let [x, y, z, t] = Default::default();
         Self {
             operator,
             batch: Batch::EMPTY,

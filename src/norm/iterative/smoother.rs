@@ -1,7 +1,7 @@
 //! Some steps of Richardson's iteration with an approximate inverse J of an operator A: the smoother of the cycles.
 //!
 //! The step's weights are those that are best within a cycle. With t an eigenvalue of J A by the largest, and p(t) the factor by
-//! which the steps together multiply an error there, a cycle leaves C / (C + 1/E) of any error, where C says how good the coarse
+//! which the steps together multiply an error there, a cycle leaves at most C / (C + 1/E) of an error, where C says how good the coarse
 //! correction is and E = max t p² / (1 − p²) over 0 < t ≤ 1 (J. Lottes, Optimal polynomial smoothers for multigrid V-cycles,
 //! Numerical Linear Algebra with Applications 30, 2023). No least eigenvalue enters, as it does where max |p| over an interval is
 //! made small.

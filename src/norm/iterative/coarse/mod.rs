@@ -59,8 +59,8 @@ impl<const N: usize> Coarse<N> {
     /// How many steps of smoothing around the correction are best.
     ///
     /// Measured: on the cube a third step saves next to nothing. Cells from elsewhere differ in size and shape, and their lattice is
-    /// coarser: on a Fichera corner of 157 179 tetrahedra, p = 3, five, six, seven and eight steps take 28, 23, 21 and 21 iterations, on
-    /// a ball of 153 475, p = 2, 21, 18, 15 and 14, and seven take the least time. In the plane two take as many iterations as three on
+    /// coarser: on a Fichera corner of 157 179 tetrahedra, p = 3, five, six and seven steps take 28, 23 and 21 iterations, on a ball of
+    /// 153 475, p = 2, 21, 18 and 15, and seven take the least time. In the plane two take as many iterations as three on
     /// triangles by Gmsh. On triangles of a moved lattice, which are half as high for their size, two take 74 where six take 27, and a
     /// third longer.
     pub fn smoothing(&self) -> usize {
@@ -70,16 +70,20 @@ impl<const N: usize> Coarse<N> {
         }
     }
 
+    /// What [`Coarse::add`] works with.
+    pub fn rooms(&self) -> Rooms<N> {
+        match &self.inverse {
+            Inverse::Cube(_) => Rooms::default(),
+            Inverse::Domain(levels) => levels.rooms(),
+        }
+    }
+
     /// z += P C⁻¹ Pᵀ r, weighted. Single precision has a narrow range: r should be of a size that is not far from one.
-    /// `rooms` are made the first time.
-    pub fn add(&self, r: &[Short], z: &mut [Short], rooms: &mut Option<Rooms<N>>) {
+    pub fn add(&self, r: &[Short], z: &mut [Short], rooms: &mut Rooms<N>) {
         let mut spline = self.transfer.restrict(r);
         match &self.inverse {
             Inverse::Cube(diagonal) => diagonal.solve(&mut spline),
-            Inverse::Domain(levels) => {
-                let rooms = rooms.get_or_insert_with(|| levels.rooms());
-                levels.solve(&mut spline, rooms);
-            }
+            Inverse::Domain(levels) => levels.solve(&mut spline, rooms),
         }
         self.transfer.prolong(&spline, z);
     }

@@ -102,11 +102,10 @@ impl<const N: usize> Levels<N> {
 
     /// A symmetric cycle from this level on: z becomes about C⁻¹ z.
     fn cycle(&self, depth: usize, z: &mut [Short], rooms: &mut [Room<Level<N>>]) {
-        let (Some((level, smoother)), Some((room, rooms))) =
-            (self.levels.get(depth), rooms.split_first_mut())
-        else {
+        let Some((level, smoother)) = self.levels.get(depth) else {
             return self.coarsest.solve(z);
         };
+        let (room, rooms) = rooms.split_first_mut().expect("a room for each level");
         room.residual.copy_from_slice(z);
         z.fill(0.0);
         smoother.smooth(level, z, room, true);
@@ -121,6 +120,7 @@ impl<const N: usize> Levels<N> {
 }
 
 /// Vectors for each level but the coarsest.
+#[derive(Default)]
 pub(in crate::norm::iterative) struct Rooms<const N: usize>(Vec<Room<Level<N>>>);
 
 /// The form on a coarsest lattice, factorised.
