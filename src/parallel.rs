@@ -201,21 +201,51 @@ pub(crate) fn for_chunks_in<T: Send, W>(
     room: impl Fn() -> W + Sync,
     work: impl Fn(usize, &mut [T], &mut W) + Sync,
 ) {
+    chunks([data], length, &room, &|i, [chunk], room| {
+        work(i, chunk, room)
+    });
+}
+
+/// [`for_chunks_in`] for the chunks of some lists of one length.
+#[cfg(feature = "norms")]
+pub(crate) fn for_chunks_together<T: Send, W, const M: usize>(
+    data: [&mut [T]; M],
+    length: usize,
+    room: impl Fn() -> W + Sync,
+    work: impl Fn(usize, [&mut [T]; M], &mut W) + Sync,
+) {
     chunks(data, length, &room, &work);
 }
 
 #[cfg(feature = "norms")]
-fn chunks<T: Send, W>(
-    data: &mut [T],
+fn chunks<T: Send, W, const M: usize>(
+    data: [&mut [T]; M],
     length: usize,
     room: &(dyn Fn() -> W + Sync),
-    work: &(dyn Fn(usize, &mut [T], &mut W) + Sync),
+    work: &(dyn Fn(usize, [&mut [T]; M], &mut W) + Sync),
 ) {
-    let many = piece_of(data.len().div_ceil(length), 1);
-    for_pieces(data.chunks_mut(many * length), &|piece, data| {
+    let len = data.iter().map(|list| list.len()).max().unwrap_or(0);
+    let many = piece_of(len.div_ceil(length), 1);
+    for_pieces(together(data, many * length), &|piece, data| {
         let mut room = room();
-        for (i, chunk) in (piece * many..).zip(data.chunks_mut(length)) {
-            work(i, chunk, &mut room);
+        for (i, chunks) in (piece * many..).zip(together(data, length)) {
+            work(i, chunks, &mut room);
         }
     });
+}
+
+/// The chunks of some lists of one length, side by side.
+#[cfg(feature = "norms")]
+fn together<'a, T, const M: usize>(
+    data: [&'a mut [T]; M],
+    length: usize,
+) -> impl Iterator<Item = [&'a mut [T]; M]> {
+    let mut lists = data.map(|list| list.chunks_mut(length));
+    std::iter::from_fn(move || {
+        let chunks = lists.each_mut().map(Iterator::next);
+        // Lists of one length end together.
+        chunks[0]
+            .is_some()
+            .then(|| chunks.map(|chunk| chunk.expect("lists of one length")))
+    })
 }

@@ -189,3 +189,60 @@ pub(in crate::norm) fn eliminate(a: &mut DMatrix<f64>, bubbles: usize) {
         }
     }
 }
+
+/// The part of the greatest pivot below which nothing but rounding is left.
+const EXHAUSTED: f64 = 1e-14;
+
+/// R with Rᵀ R = A for what [`eliminate`] leaves of a matrix, without the bubbles' rows and columns: symmetric, positive
+/// semidefinite, of this rank or less. Cholesky's elimination, which begins with the greatest pivot each time.
+pub(in crate::norm) fn root(a: &DMatrix<f64>, bubbles: usize, rank: usize) -> DMatrix<f64> {
+    let n = a.nrows() - bubbles;
+    let mut rest = DMatrix::from_fn(n, n, |i, j| a[(bubbles + i.max(j), bubbles + i.min(j))]);
+    let mut rows = Vec::with_capacity(rank);
+    let mut first = 0.0;
+    for step in 0..rank {
+        let (at, pivot) = rest.diagonal().argmax();
+        first = if step == 0 { pivot } else { first };
+        if pivot <= EXHAUSTED * first {
+            break;
+        }
+        let row = rest.column(at) / pivot.sqrt();
+        for (j, mut column) in rest.column_iter_mut().enumerate() {
+            column.axpy(-row[j], &row, 1.0);
+        }
+        rows.push(row.transpose());
+    }
+    DMatrix::from_rows(&rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::norm::hhj::Hhj;
+
+    /// Rᵀ R is the condensed matrix, with as many rows as there are moments that are not the bubbles', for all degrees.
+    #[test]
+    fn roots() {
+        let mesh = Mesh::<3>::cube(1).unwrap();
+        for degree in 1..=5 {
+            let hhj = Hhj::new(&mesh, degree).unwrap();
+            let (element, bubbles) = (hhj.element(), hhj.layout().bubbles);
+            let mut energy = hhj.energy(0);
+            eliminate(&mut energy, bubbles);
+            let rank = element.rank();
+            let root = root(&energy, bubbles, rank);
+            assert!(root.nrows() <= rank);
+            let product = root.tr_mul(&root);
+            let scale = product.amax();
+            for i in 0..product.nrows() {
+                for j in 0..=i {
+                    let difference = product[(i, j)] - energy[(bubbles + i, bubbles + j)];
+                    assert!(
+                        difference.abs() < 1e-13 * scale,
+                        "degree {degree}: {difference:e}"
+                    );
+                }
+            }
+        }
+    }
+}

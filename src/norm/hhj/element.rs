@@ -50,6 +50,11 @@ impl<const N: usize> Element<N> {
         }
     }
 
+    /// The rank of a cell's energy, at most, when the bubbles are eliminated: each takes a moment with it.
+    pub fn rank(&self) -> usize {
+        self.pairing.nrows() - self.layout.bubbles
+    }
+
     /// Σ_{a,b} weight(a, b) B̂_aᵀ B̂_b for symmetric weights; the upper triangle is filled in, the lower mirrored.
     pub fn condensed(&self, weight: impl Fn(usize, usize) -> f64) -> DMatrix<f64> {
         let count = self.pairs.len();

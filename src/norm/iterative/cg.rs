@@ -3,7 +3,7 @@
 use super::number::Number;
 use crate::Error;
 use crate::norm::dual::{Step, Target};
-use crate::parallel::for_chunks;
+use crate::parallel::{for_chunks, for_chunks_together};
 
 /// How many entries make one piece of work.
 const BLOCK: usize = 1 << 14;
@@ -44,6 +44,22 @@ pub(super) fn combine<T: Number>(alpha: f64, y: &mut [T], beta: f64, x: &[T]) {
             *y = alpha * *y + beta * *x;
         }
     });
+}
+
+/// x = α x, and y += α x.
+pub(super) fn add_scaled<T: Number>(alpha: f64, x: &mut [T], y: &mut [T]) {
+    let alpha = T::of(alpha);
+    for_chunks_together(
+        [x, y],
+        BLOCK,
+        || (),
+        |_, [x, y], ()| {
+            for (x, y) in x.iter_mut().zip(y) {
+                *x *= alpha;
+                *y += *x;
+            }
+        },
+    );
 }
 
 /// y = α x in another precision.

@@ -69,13 +69,18 @@ impl<T: Number, const N: usize> Operator<T, N> {
 
     /// y = S x for the Schur complement S of the bubbles. `room` is overwritten.
     pub fn apply(&self, x: &[T], y: &mut [T], room: &mut [T]) {
+        y.fill(T::ZERO);
+        self.add(T::ONE, x, y, room);
+    }
+
+    /// y += factor · S x. `room` is overwritten.
+    pub fn add(&self, factor: T, x: &[T], y: &mut [T], room: &mut [T]) {
         self.for_batches(room, &|work, out| {
             work.load(x);
             work.bend(&|_| T::ZERO);
             work.unload(out);
         });
-        y.fill(T::ZERO);
-        self.collect(room, y, T::ONE);
+        self.collect(room, y, factor);
     }
 
     /// `work` at all batches, with the place for their results.

@@ -19,7 +19,7 @@ const MARGIN: f64 = 1.1;
 const EXHAUSTED: f64 = 1e-20;
 
 /// What can be smoothed.
-pub(super) trait Smoothed {
+pub(super) trait Smoothed: Sized {
     /// What it computes with.
     type Number: Number;
     /// What an application of A overwrites.
@@ -35,6 +35,12 @@ pub(super) trait Smoothed {
 
     /// z = J r.
     fn invert(&self, r: &[Self::Number], z: &mut [Self::Number]);
+
+    /// residual −= A correction.
+    fn subtract_image(&self, room: &mut Room<Self>);
+
+    /// residual −= A correction, correction = ω J residual and z += correction, in one pass over the unknowns.
+    fn step(&self, weight: f64, z: &mut [Self::Number], room: &mut Room<Self>);
 }
 
 /// Some steps of the iteration.
@@ -48,8 +54,8 @@ pub(super) struct Smoother {
 pub(super) struct Room<S: Smoothed> {
     pub residual: Vec<S::Number>,
     pub correction: Vec<S::Number>,
-    image: Vec<S::Number>,
-    operator: S::Room,
+    /// What an application of A overwrites.
+    pub operator: S::Room,
 }
 
 impl<S: Smoothed> Room<S> {
@@ -57,16 +63,9 @@ impl<S: Smoothed> Room<S> {
         let zero = vec![S::Number::ZERO; smoothed.len()];
         Self {
             residual: zero.clone(),
-            correction: zero.clone(),
-            image: zero,
+            correction: zero,
             operator: smoothed.room(),
         }
-    }
-
-    /// residual −= A correction.
-    pub fn subtract_image(&mut self, smoothed: &S) {
-        smoothed.apply(&self.correction, &mut self.image, &mut self.operator);
-        axpy(&mut self.residual, -1.0, &self.image);
     }
 }
 
@@ -78,21 +77,23 @@ impl Smoother {
         }
     }
 
-    /// Smoothes z; the residual follows if it is still wanted.
-    pub fn smooth<S: Smoothed>(
-        &self,
-        smoothed: &S,
-        z: &mut [S::Number],
-        room: &mut Room<S>,
-        follow: bool,
-    ) {
-        for (step, &weight) in self.weights.iter().enumerate() {
-            smoothed.invert(&room.residual, &mut room.correction);
-            scale(&mut room.correction, weight);
-            axpy(z, 1.0, &room.correction);
-            if follow || step + 1 < self.weights.len() {
-                room.subtract_image(smoothed);
-            }
+    /// z = S r for the residual r, which becomes that of z.
+    pub fn begin<S: Smoothed>(&self, smoothed: &S, z: &mut [S::Number], room: &mut Room<S>) {
+        let (first, others) = self.weights.split_first().expect("a smoother has steps");
+        smoothed.invert(&room.residual, z);
+        scale(z, *first);
+        room.correction.copy_from_slice(z);
+        for &weight in others {
+            smoothed.step(weight, z, room);
+        }
+        smoothed.subtract_image(room);
+    }
+
+    /// Smooths z + correction; the residual is still that of z, and is not wanted any more.
+    pub fn end<S: Smoothed>(&self, smoothed: &S, z: &mut [S::Number], room: &mut Room<S>) {
+        axpy(z, 1.0, &room.correction);
+        for &weight in &self.weights {
+            smoothed.step(weight, z, room);
         }
     }
 }

@@ -12,7 +12,7 @@ use super::energy::Energy;
 use super::inside::Boxes;
 use super::level::{Kind, Level, Plane};
 use crate::linalg::Vector;
-use crate::norm::hhj::cell::eliminate;
+use crate::norm::hhj::cell::{eliminate, root};
 use crate::parallel::for_chunks;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
@@ -168,22 +168,22 @@ impl<const N: usize> Finest<'_, N> {
                     let at = whole.position(&site) % unit;
                     let row = *plane.row(at).expect("what cells near ∂Ω reach is stored");
                     let values = &mut plane.values[row.start..row.start + row.patch.len()];
-                    row.patch.add(values, &patch, form, |x| x as Short);
+                    row.patch.add(values, &patch, form, |x: Short| x);
                 }
             }
         });
     }
 
     /// The form of the splines that reach a cell.
-    fn of_cell(&self, cell: u32) -> (Patch<N>, Vec<f64>) {
+    fn of_cell(&self, cell: u32) -> (Patch<N>, Vec<Short>) {
         let Transfer { hhj, skeleton, .. } = self.transfer;
         let patch = self.transfer.reached(&self.corners(cell));
         let (layout, splines) = (hhj.layout(), patch.len());
         let cell = cell as usize;
         let mut energy = hhj.energy(skeleton.order.cells[cell] as usize);
         eliminate(&mut energy, layout.bubbles);
-        let outer = layout.len - layout.bubbles;
-        let mut rows = vec![0.0; outer * splines];
+        let root = root(&energy, layout.bubbles, hhj.element().rank());
+        let mut rows = vec![0.0; root.ncols() * splines];
         for block in &layout.blocks {
             let simplex = skeleton.order.layers[block.k].free_of_cell(cell, block.place);
             if let Some(simplex) = simplex.filter(|_| block.width > 0) {
@@ -192,32 +192,29 @@ impl<const N: usize> Finest<'_, N> {
                 self.transfer.rows(block.k, simplex, &patch, rows);
             }
         }
-        let condensed = DMatrix::from_fn(outer, outer, |i, j| {
-            energy[(layout.bubbles + i.max(j), layout.bubbles + i.min(j))]
-        });
-        (patch, conjugate(&condensed, &rows, splines))
+        (patch, gram(&root.map(|x| x as Short), &rows, splines))
     }
 }
 
-/// Pᵀ A P from the rows of P.
-fn conjugate(a: &DMatrix<f64>, rows: &[Short], columns: usize) -> Vec<f64> {
-    let p: Vec<f64> = rows.iter().map(|&x| f64::from(x)).collect();
-    let outer = a.nrows();
+/// (R P)ᵀ R P from the rows of P.
+fn gram(root: &DMatrix<Short>, rows: &[Short], columns: usize) -> Vec<Short> {
+    let (rank, outer) = root.shape();
+    let root = MatRef::from_column_major_slice(root.as_slice(), rank, outer);
     // Row-major P is column-major Pᵀ.
-    let transposed = MatRef::from_column_major_slice(&p, columns, outer);
-    let a = MatRef::from_column_major_slice(a.as_slice(), outer, outer);
-    let mut product = vec![0.0; columns * outer];
+    let transposed = MatRef::from_column_major_slice(rows, columns, outer);
+    let mut product = vec![0.0; columns * rank];
     let mut form = vec![0.0; columns * columns];
-    let half = MatMut::from_column_major_slice_mut(&mut product, columns, outer);
-    matmul(half, Accum::Replace, transposed, a, 1.0, Par::Seq);
-    let half = MatRef::from_column_major_slice(&product, columns, outer);
+    let half = MatMut::from_column_major_slice_mut(&mut product, columns, rank);
     matmul(
-        MatMut::from_column_major_slice_mut(&mut form, columns, columns),
-        Accum::Replace,
         half,
-        transposed.transpose(),
+        Accum::Replace,
+        transposed,
+        root.transpose(),
         1.0,
         Par::Seq,
     );
+    let half = MatRef::from_column_major_slice(&product, columns, rank);
+    let whole = MatMut::from_column_major_slice_mut(&mut form, columns, columns);
+    matmul(whole, Accum::Replace, half, half.transpose(), 1.0, Par::Seq);
     form
 }

@@ -2,8 +2,8 @@
 
 use super::super::patch::Patch;
 use super::super::stencil::Short;
-use crate::norm::iterative::smoother::Smoothed;
-use crate::parallel::for_chunks;
+use crate::norm::iterative::smoother::{Room, Smoothed};
+use crate::parallel::{for_chunks, for_chunks_together};
 
 /// What is known of a spline's row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -188,41 +188,89 @@ impl<const N: usize> Level<N> {
         }
         sums.into_iter().sum::<Short>() + last
     }
+
+    /// A x on a plane.
+    fn plane_times(&self, plane: usize, x: &[Short], y: &mut [Short]) {
+        let unit = self.plane();
+        y.fill(0.0);
+        let kinds = &self.kinds[plane * unit..(plane + 1) * unit];
+        // Runs of deep splines never go beyond a line: the first and the last spline of a line are not deep.
+        let mut begin = 0;
+        for run in kinds.chunk_by(|a, b| a == b) {
+            if run[0] == Kind::Deep {
+                self.stencil_line(x, plane * unit + begin, &mut y[begin..begin + run.len()]);
+            }
+            begin += run.len();
+        }
+        let stored = &self.planes[plane];
+        for row in &stored.rows {
+            y[row.site as usize] = self.row_times(stored, row, x);
+        }
+    }
 }
 
 impl<const N: usize> Smoothed for Level<N> {
     type Number = Short;
-    type Room = ();
+    /// The image of a vector.
+    type Room = Vec<Short>;
 
-    fn room(&self) {}
+    fn room(&self) -> Vec<Short> {
+        vec![0.0; self.len()]
+    }
 
     fn len(&self) -> usize {
         self.inverse.len()
     }
 
-    fn apply(&self, x: &[Short], y: &mut [Short], (): &mut ()) {
-        let unit = self.plane();
-        for_chunks(y, unit, |plane, y| {
-            y.fill(0.0);
-            let kinds = &self.kinds[plane * unit..(plane + 1) * unit];
-            // Runs of deep splines never go beyond a line: the first and the last spline of a line are not deep.
-            let mut begin = 0;
-            for run in kinds.chunk_by(|a, b| a == b) {
-                if run[0] == Kind::Deep {
-                    self.stencil_line(x, plane * unit + begin, &mut y[begin..begin + run.len()]);
-                }
-                begin += run.len();
-            }
-            let stored = &self.planes[plane];
-            for row in &stored.rows {
-                y[row.site as usize] = self.row_times(stored, row, x);
-            }
-        });
+    fn apply(&self, x: &[Short], y: &mut [Short], _: &mut Vec<Short>) {
+        for_chunks(y, self.plane(), |plane, y| self.plane_times(plane, x, y));
     }
 
     fn invert(&self, r: &[Short], z: &mut [Short]) {
         for ((z, r), inverse) in z.iter_mut().zip(r).zip(&self.inverse) {
             *z = r * inverse;
         }
+    }
+
+    fn subtract_image(&self, room: &mut Room<Self>) {
+        let (x, vectors) = (
+            &room.correction,
+            [&mut room.residual[..], &mut room.operator],
+        );
+        for_chunks_together(
+            vectors,
+            self.plane(),
+            || (),
+            |plane, [r, image], ()| {
+                self.plane_times(plane, x, image);
+                for (r, image) in r.iter_mut().zip(image) {
+                    *r -= *image;
+                }
+            },
+        );
+    }
+
+    fn step(&self, weight: f64, z: &mut [Short], room: &mut Room<Self>) {
+        let (unit, weight) = (self.plane(), weight as Short);
+        let (x, vectors) = (
+            &room.correction,
+            [&mut room.residual[..], &mut room.operator, z],
+        );
+        // The old correction is still needed on the planes nearby: the new one goes to where the image is.
+        for_chunks_together(
+            vectors,
+            unit,
+            || (),
+            |plane, [r, image, z], ()| {
+                self.plane_times(plane, x, image);
+                let inverses = &self.inverse[plane * unit..];
+                for (((r, c), z), inverse) in r.iter_mut().zip(image).zip(z).zip(inverses) {
+                    *r -= *c;
+                    *c = weight * (*r * inverse);
+                    *z += *c;
+                }
+            },
+        );
+        std::mem::swap(&mut room.correction, &mut room.operator);
     }
 }

@@ -12,7 +12,6 @@ use super::transfer::Transfer;
 use crate::Error;
 use crate::linalg::Vector;
 use crate::norm::hhj::{Hhj, Size};
-use crate::norm::iterative::cg::axpy;
 use crate::norm::iterative::smoother::{Room, Smoother};
 use crate::parallel::collect;
 use level::{Kind, Level};
@@ -107,15 +106,12 @@ impl<const N: usize> Levels<N> {
         };
         let (room, rooms) = rooms.split_first_mut().expect("a room for each level");
         room.residual.copy_from_slice(z);
-        z.fill(0.0);
-        smoother.smooth(level, z, room, true);
+        smoother.begin(level, z, room);
         let mut coarse = halve::restrict(&room.residual, &level.sides);
         self.cycle(depth + 1, &mut coarse, rooms);
         room.correction = halve::prolong(coarse, &level.sides);
         level.clear(&mut room.correction);
-        axpy(z, 1.0, &room.correction);
-        room.subtract_image(level);
-        smoother.smooth(level, z, room, false);
+        smoother.end(level, z, room);
     }
 }
 
