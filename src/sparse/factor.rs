@@ -65,14 +65,15 @@ impl Factor {
         let pattern = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
         let symbolic = factorize_symbolic_cholesky(pattern, Side::Upper, order, Default::default())
             .map_err(|e| Error::Solver(format!("{n} unknowns: {e}")))?;
-        let mut values = Vec::new();
-        if values.try_reserve_exact(symbolic.len_val()).is_err() {
-            let need = symbolic.len_val() as f64 * 8e-9;
+        // It is asked for first, since `vec!` aborts; and `vec!` writes no zeros over those that the system gives.
+        let len = symbolic.len_val();
+        if Vec::<f64>::new().try_reserve_exact(len).is_err() {
+            let need = len as f64 * 8e-9;
             return Err(Error::Solver(format!(
                 "{n} unknowns: the factor needs {need:.1} GB of memory"
             )));
         }
-        values.resize(symbolic.len_val(), 0.0);
+        let mut values = vec![0.0; len];
         let par = parallelism(&symbolic);
         let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(par, Default::default());
         let mut memory = MemBuffer::try_new(scratch)

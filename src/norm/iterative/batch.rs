@@ -99,15 +99,16 @@ impl<'a, T: Number> Batch<'a, T> {
         (self.lanes, self.heights, self.tangents) = (n, heights, tangents);
     }
 
-    /// (u, û) becomes (u, ŵ): ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}.
+    /// (u, û) without the bubbles becomes (u, ŵ): ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}.
     pub fn shift<const N: usize>(&self, element: &Element<N>, x: &mut [T]) {
-        let n = self.lanes;
+        let (n, bubbles) = (self.lanes, element.layout.bubbles);
         for (f, moments) in element.layout.faces.iter().enumerate() {
             for moment in moments {
-                scale(row_mut(x, moment.slope, n), row(self.heights, f, n));
+                let slope = moment.slope - bubbles;
+                scale(row_mut(x, slope, n), row(self.heights, f, n));
                 for (v, &raised) in moment.raised.iter().enumerate() {
                     let tangent = row(self.tangents, f * N + v, n);
-                    let (target, source) = two_rows(x, moment.slope, raised, n);
+                    let (target, source) = two_rows(x, slope, raised - bubbles, n);
                     subtract(target, tangent, source);
                 }
             }
@@ -116,15 +117,16 @@ impl<'a, T: Number> Batch<'a, T> {
 
     /// The transpose of [`Batch::shift`].
     pub fn shift_back<const N: usize>(&self, element: &Element<N>, x: &mut [T]) {
-        let n = self.lanes;
+        let (n, bubbles) = (self.lanes, element.layout.bubbles);
         for (f, moments) in element.layout.faces.iter().enumerate() {
             for moment in moments {
+                let slope = moment.slope - bubbles;
                 for (v, &raised) in moment.raised.iter().enumerate() {
                     let tangent = row(self.tangents, f * N + v, n);
-                    let (target, source) = two_rows(x, raised, moment.slope, n);
+                    let (target, source) = two_rows(x, raised - bubbles, slope, n);
                     subtract(target, tangent, source);
                 }
-                scale(row_mut(x, moment.slope, n), row(self.heights, f, n));
+                scale(row_mut(x, slope, n), row(self.heights, f, n));
             }
         }
     }
@@ -136,13 +138,15 @@ impl<'a, T: Number> Batch<'a, T> {
             for a in 0..pairs {
                 let target = row_mut(z, a * size + k, n);
                 target.fill(T::ZERO);
-                for b in 0..pairs {
-                    let (w, y) = (
-                        row(&self.weights, lower(a.max(b), a.min(b)), n),
-                        row(y, b * size + k, n),
-                    );
-                    for ((t, w), y) in target.iter_mut().zip(w).zip(y) {
-                        *t += *w * *y;
+                let term = |b: usize| {
+                    let weights = row(&self.weights, lower(a.max(b), a.min(b)), n);
+                    weights.iter().zip(row(y, b * size + k, n))
+                };
+                // Three at a time: there are three pairs in the plane and six in space, and a sum is loaded and stored less often.
+                for b in (0..pairs).step_by(3) {
+                    let terms = term(b).zip(term(b + 1)).zip(term(b + 2));
+                    for (t, ((p, q), r)) in target.iter_mut().zip(terms) {
+                        *t += *p.0 * *p.1 + *q.0 * *q.1 + *r.0 * *r.1;
                     }
                 }
             }

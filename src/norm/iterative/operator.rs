@@ -116,13 +116,18 @@ impl<T: Number, const N: usize> Operator<T, N> {
                         let begin = cell / CELLS * CELLS;
                         let lanes = CELLS.min(cells - begin);
                         let from = begin * outer + starts[which] * lanes + cell - begin;
-                        for (j, y) in y.iter_mut().enumerate() {
-                            *y += factor * room[from + j * lanes];
+                        for (y, x) in y.iter_mut().zip(room[from..].iter().step_by(lanes)) {
+                            *y += factor * *x;
                         }
                     }
                 }
             });
         }
+    }
+
+    /// B̂ without the bubbles' columns.
+    fn outer_pairing(&self) -> MatRef<'_, T> {
+        as_mat(&self.pairing).subcols(self.hhj.layout().bubbles, self.outer())
     }
 
     /// How many of a cell's unknowns are not bubbles.
@@ -171,7 +176,7 @@ struct Work<'a, T, const N: usize> {
     batch: Batch<'a, T>,
     /// Its first cell.
     begin: usize,
-    /// The unknowns of the cells.
+    /// The unknowns of the cells without bubbles.
     x: Vec<T>,
     /// B̂ x, and (W ⊗ I) B̂ x.
     y: Vec<T>,
@@ -200,7 +205,7 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         self.begin = batch * CELLS;
         self.batch.turn_to(element, &self.operator.geometry, batch);
         let (lanes, rows) = (self.batch.lanes, element.pairing.nrows());
-        self.x.resize(layout.len * lanes, T::ZERO);
+        self.x.resize(self.operator.outer() * lanes, T::ZERO);
         self.y.resize(rows * lanes, T::ZERO);
         self.z.resize(rows * lanes, T::ZERO);
         self.t.resize(layout.bubbles * lanes, T::ZERO);
@@ -210,24 +215,22 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
     fn load(&mut self, global: &[T]) {
         let (hhj, skeleton) = (&self.operator.hhj, &self.operator.skeleton);
         let (element, lanes) = (hhj.element(), self.batch.lanes);
-        // Bubbles, and what is zero on ∂Ω.
+        // On ∂Ω it is zero.
         self.x.fill(T::ZERO);
         for lane in 0..lanes {
             let cell = self.begin + lane;
             for block in &element.layout.blocks {
                 let from = skeleton.of_cell(block.k, cell, block.place);
-                for (i, x) in global[from].iter().enumerate() {
-                    self.x[(block.start + i) * lanes + lane] = *x;
+                let first = (block.start - element.layout.bubbles) * lanes + lane;
+                let rows = self.x[first..].iter_mut().step_by(lanes);
+                for (x, from) in rows.zip(&global[from]) {
+                    *x = *from;
                 }
             }
         }
         self.batch.shift(element, &mut self.x);
-        multiply(
-            &mut self.y,
-            &self.x,
-            lanes,
-            as_mat(&self.operator.pairing).transpose(),
-        );
+        let pairing = self.operator.outer_pairing();
+        multiply(&mut self.y, &self.x, lanes, pairing.transpose());
     }
 
     /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y); `f` by places.
@@ -275,9 +278,8 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
     /// Tᵀ B̂ᵀ z without the bubbles' rows.
     fn unload(&mut self, out: &mut [T]) {
         let (element, lanes) = (self.operator.hhj.element(), self.batch.lanes);
-        multiply(&mut self.x, &self.z, lanes, as_mat(&self.operator.pairing));
-        self.batch.shift_back(element, &mut self.x);
-        out.copy_from_slice(&self.x[element.layout.bubbles * lanes..]);
+        multiply(out, &self.z, lanes, self.operator.outer_pairing());
+        self.batch.shift_back(element, out);
     }
 }
 

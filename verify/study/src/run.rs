@@ -3,6 +3,7 @@
 use crate::case::Case;
 use crate::case_mesh::{CaseMesh, Facts, OnMesh, mesh_seed};
 use crate::event::{Event, Failure, Phase};
+use crate::pace::Pace;
 use crate::printed;
 use crate::row::Row;
 use crate::study::Study;
@@ -16,34 +17,11 @@ impl Study {
     /// # Errors
     /// The first thing that fails; rows before have been shown to the observer.
     pub fn run(&self, observe: &mut dyn FnMut(Event<'_>)) -> Result<Vec<Row>, Failure> {
-        self.resume(&[], observe)
-    }
-
-    /// Computes the rows that are not among those of an earlier run, which the observer sees in their places.
-    ///
-    /// # Errors
-    /// As [`Study::run`].
-    pub fn resume(
-        &self,
-        earlier: &[Row],
-        observe: &mut dyn FnMut(Event<'_>),
-    ) -> Result<Vec<Row>, Failure> {
-        self.check()
-            .map_err(|error| Failure { case: None, error })?;
-        let mut rows = Vec::new();
-        for &case in &self.cases {
-            self.run_case(case, earlier, &mut rows, observe)
-                .map_err(|error| Failure {
-                    case: Some(case),
-                    error,
-                })?;
-            observe(Event::Done(case));
-        }
-        Ok(rows)
+        self.resume(&[], Pace::Single, observe)
     }
 
     /// The rows of a case; its mesh is not made if an earlier run has them all.
-    fn run_case(
+    pub(super) fn run_case(
         &self,
         case: Case,
         earlier: &[Row],
@@ -133,6 +111,14 @@ impl Study {
             solver: mesh.solver.into(),
             steps: None,
         }
+    }
+}
+
+impl Study {
+    /// Has an earlier run all rows of a case?
+    pub(super) fn knows(&self, earlier: &[Row], case: Case) -> bool {
+        let mut all = self.interpolants.iter();
+        all.all(|interpolant| known(earlier, case, interpolant).is_some())
     }
 }
 

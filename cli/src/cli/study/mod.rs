@@ -11,7 +11,7 @@ mod table;
 use super::common::Common;
 use super::picture as picture_file;
 use progress::Progress;
-use regge_study::{Case, Event, Report, Row, Study, fits};
+use regge_study::{Case, Event, Pace, Report, Row, Study, fits};
 use regge_terminal::output::{self, Named};
 use regge_terminal::{Stop, Voice};
 use std::io::{self, Write};
@@ -43,7 +43,7 @@ impl Job {
         output::check_all(&[], &self.files())?;
         self.check_memory(common)?;
         let voice = common.voice(&self.files());
-        let rows = self.compute(&voice)?;
+        let rows = self.compute(common, &voice)?;
         let out = &mut voice.out();
         table::fits(out, &fits(&self.study, &rows))?;
         for note in notes::of(&self.study, &rows) {
@@ -75,8 +75,18 @@ impl Job {
         })
     }
 
+    /// Two cases at once where threads and memory suffice and it helps.
+    fn pace(&self, common: &Common) -> Pace {
+        let fits = |need| common.memory.check("", need, "").is_ok();
+        let several = rayon::current_num_threads() > 1;
+        match several && self.study.side_by_side().is_some_and(fits) {
+            true => Pace::Double,
+            false => Pace::Single,
+        }
+    }
+
     /// Shows each row as soon as it is there.
-    fn compute(&self, voice: &Voice) -> Result<Vec<Row>, Stop> {
+    fn compute(&self, common: &Common, voice: &Voice) -> Result<Vec<Row>, Stop> {
         let study = &self.study;
         let (mut journal, earlier) = self.journal.open(study)?;
         let mut out = voice.out();
@@ -85,7 +95,7 @@ impl Job {
         let mut progress = Progress::new(study, voice);
         let mut degree = None;
         let mut stopped: Result<(), Stop> = Ok(());
-        let rows = study.resume(&earlier, &mut |event| {
+        let rows = study.resume(&earlier, self.pace(common), &mut |event| {
             progress.show(study, event);
             if let Event::Row(row) = event {
                 let gap = degree

@@ -85,6 +85,25 @@ impl<const N: usize> Patch<N> {
         }
     }
 
+    /// The lines from a site of the box on, with their lengths; the first one begins there.
+    #[inline]
+    pub fn lines_from(
+        &self,
+        site: &[usize; N],
+    ) -> impl Iterator<Item = ([usize; N], usize)> + use<N> {
+        let along = self.sides()[0];
+        let before = self.position(site) / along;
+        let mut next = *site;
+        next[0] = self.low[0];
+        let lines = Lines {
+            patch: *self,
+            next,
+            left: self.len() / along - before,
+        };
+        let first = (*site, self.high[0] - site[0]);
+        std::iter::once(first).chain(lines.skip(1).map(move |line| (line, along)))
+    }
+
     /// All sites.
     pub fn sites(&self) -> impl Iterator<Item = [usize; N]> + use<N> {
         let along = self.sides()[0];

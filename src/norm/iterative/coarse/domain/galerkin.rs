@@ -10,7 +10,8 @@ use super::super::stencil::Short;
 use super::super::transfer::Transfer;
 use super::energy::Energy;
 use super::inside::Boxes;
-use super::level::{Kind, Level, Plane};
+use super::level::{Kind, Level};
+use super::rows::{Plane, from_site};
 use crate::linalg::Vector;
 use crate::norm::hhj::cell::{eliminate, root};
 use crate::parallel::for_chunks;
@@ -60,18 +61,17 @@ pub(super) fn planes<const N: usize>(
     patches: &[Patch<N>],
 ) -> Vec<Plane<N>> {
     let unit: usize = sides[..N - 1].iter().product();
-    let plane = |(kinds, patches): (&[Kind], &[Patch<N>])| {
+    let whole = Patch::whole(sides);
+    let plane = |(plane, (kinds, patches)): (usize, (&[Kind], &[Patch<N>]))| {
         let rows = kinds.iter().zip(patches).enumerate();
-        Plane::new(
-            rows.filter(|(_, (kind, _))| **kind == Kind::Stored)
-                .map(|(site, (_, patch))| (site as u32, *patch)),
-        )
+        let stored = rows.filter(|(_, (kind, _))| **kind == Kind::Stored);
+        Plane::new(stored.map(|(spline, (_, patch))| {
+            let (patch, first) = from_site(patch, &whole.site(plane * unit + spline));
+            (spline as u32, patch, first)
+        }))
     };
-    kinds
-        .chunks(unit)
-        .zip(patches.chunks(unit))
-        .map(plane)
-        .collect()
+    let chunks = kinds.chunks(unit).zip(patches.chunks(unit));
+    chunks.enumerate().map(plane).collect()
 }
 
 impl<const N: usize> Finest<'_, N> {
@@ -133,11 +133,17 @@ impl<const N: usize> Finest<'_, N> {
         let unit = self.transfer.grid.plane();
         let convert = |x: f64| (self.scale * x) as Short;
         for_chunks(planes, 1, |plane, planes| {
-            let Plane { rows, values } = &mut planes[0];
+            let Plane { rows, values, .. } = &mut planes[0];
             for row in rows {
-                let site = whole.site(plane * unit + row.site as usize);
-                let values = &mut values[row.start..row.start + row.patch.len()];
-                for corner in self.support(&site).filter(|b| self.boxes.inside(b)) {
+                let site = whole.site(plane * unit + row.spline as usize);
+                let inside = self.support(&site).filter(|b| self.boxes.inside(b));
+                let inside: Vec<_> = inside.collect();
+                if inside.len() == 1 << (2 * N) {
+                    let patch = Patch::around(&site, 3, &whole.high);
+                    row.add(&site, &patch, &self.energy.around, values, convert);
+                    continue;
+                }
+                for corner in inside {
                     let box_splines = Patch {
                         low: corner,
                         high: corner.map(|i| i + 4),
@@ -145,7 +151,7 @@ impl<const N: usize> Finest<'_, N> {
                     let at = box_splines.position(&site);
                     let size = box_splines.len();
                     let energy = &self.energy.on_box[at * size..(at + 1) * size];
-                    row.patch.add(values, &box_splines, energy, convert);
+                    row.add(&site, &box_splines, energy, values, convert);
                 }
             }
         });
@@ -167,8 +173,7 @@ impl<const N: usize> Finest<'_, N> {
                     let plane = &mut planes[site[N - 1] - first];
                     let at = whole.position(&site) % unit;
                     let row = *plane.row(at).expect("what cells near ∂Ω reach is stored");
-                    let values = &mut plane.values[row.start..row.start + row.patch.len()];
-                    row.patch.add(values, &patch, form, |x: Short| x);
+                    row.add(&site, &patch, form, &mut plane.values, |x: Short| x);
                 }
             }
         });

@@ -1,11 +1,13 @@
 //! From a lattice to one with boxes twice as large: a spline there is Σ_k w_k b_(2I−3+k) along each axis, w = (1 4 6 4 1)/8.
 
 use super::super::patch::Patch;
+use super::super::slabs::Slabs;
 use super::super::stencil::Short;
 use super::galerkin::planes;
-use super::level::{Kind, Level, Plane};
+use super::level::{Kind, Level};
+use super::rows::{Plane, from_site};
 use crate::norm::iterative::number::Number;
-use crate::parallel::for_chunks;
+use crate::parallel::{collect, for_chunks};
 use std::borrow::Cow;
 
 /// The two-scale relation.
@@ -122,7 +124,18 @@ fn reduce<const N: usize>(patch: &Patch<N>, numbers: &[f64]) -> Vec<f64> {
     x
 }
 
-/// The rows of a level, their columns handed on to the coarser lattice.
+/// Half of a symmetric form has each pair of splines once, and the diagonal by halves: the form is it and its transpose. What a row
+/// of it has from the spline itself on, as a tensor on the row's box.
+fn half<T: Copy + Into<f64>>(len: usize, first: usize, numbers: &[T]) -> Vec<f64> {
+    let mut tensor = vec![0.0; len];
+    for (to, &x) in tensor[first..].iter_mut().zip(numbers) {
+        *to = x.into();
+    }
+    tensor[first] *= 0.5;
+    tensor
+}
+
+/// The rows of half a level's form, their columns handed on to the coarser lattice.
 struct Halfway<'a, const N: usize> {
     level: &'a Level<N>,
     stored: Vec<Plane<N>>,
@@ -134,26 +147,23 @@ impl<'a, const N: usize> Halfway<'a, N> {
     fn new(level: &'a Level<N>) -> Self {
         let rows = |plane: &Plane<N>| {
             let rows = plane.rows.iter();
-            Plane::new(rows.map(|row| (row.site, reduced_patch(&row.patch))))
+            Plane::new(rows.map(|row| (row.spline, reduced_patch(&row.patch), 0)))
         };
         let mut stored: Vec<Plane<N>> = level.planes.iter().map(rows).collect();
         for_chunks(&mut stored, 1, |plane, stored| {
-            let (from, Plane { rows, values }) = (&level.planes[plane], &mut stored[0]);
+            let (from, Plane { rows, values, .. }) = (&level.planes[plane], &mut stored[0]);
             for (row, to) in from.rows.iter().zip(rows) {
-                let numbers = from
-                    .numbers(row)
-                    .iter()
-                    .map(|&x| f64::from(x))
-                    .collect::<Vec<_>>();
-                let reduced = reduce(&row.patch, &numbers);
-                for (to, x) in values[to.start..].iter_mut().zip(reduced) {
+                let tensor = half(row.patch.len(), row.first, from.numbers(row));
+                let reduced = reduce(&row.patch, &tensor);
+                for (to, x) in values[to.range()].iter_mut().zip(reduced) {
                     *to = x as _;
                 }
             }
         });
         let by_parity = |bits: usize| {
             let site = std::array::from_fn(|axis| 4 + (bits >> axis & 1));
-            reduce(&Patch::<N>::around(&site, 3, &[9; N]), &level.stencil)
+            let (patch, first) = from_site(&Patch::<N>::around(&site, 3, &[9; N]), &site);
+            reduce(&patch, &half(patch.len(), first, level.half_stencil()))
         };
         Self {
             level,
@@ -169,7 +179,8 @@ impl<'a, const N: usize> Halfway<'a, N> {
             Kind::Idle => Patch::EMPTY,
             Kind::Deep => {
                 let site = Patch::whole(&self.level.sides).site(at);
-                reduced_patch(&Patch::around(&site, 3, &self.level.sides))
+                let around = Patch::around(&site, 3, &self.level.sides);
+                reduced_patch(&from_site(&around, &site).0)
             }
             Kind::Stored => {
                 let row = self.stored[at / unit].row(at % unit);
@@ -197,42 +208,122 @@ impl<'a, const N: usize> Halfway<'a, N> {
             }
         }
     }
+
+    /// The splines of the coarser lattice for which one of them has numbers in H, see [`Level::halved`].
+    fn patch_of_sum(&self, site: &[usize; N]) -> Patch<N> {
+        let mut patch = Patch::EMPTY;
+        self.level
+            .for_children(site, |at, _| patch.join(&self.patch(at)));
+        patch
+    }
+
+    /// These numbers.
+    fn sum(&self, site: &[usize; N], patch: &Patch<N>) -> Vec<f64> {
+        let mut sums = vec![0.0; patch.len()];
+        self.level
+            .for_children(site, |at, factor| self.add(at, factor, patch, &mut sums));
+        sums
+    }
+}
+
+/// The rows of H, see [`Level::halved`], on the coarser lattice.
+struct Sums<'a, const N: usize> {
+    halfway: Halfway<'a, N>,
+    whole: Patch<N>,
+    kinds: Vec<Kind>,
+    patches: Vec<Patch<N>>,
+}
+
+impl<'a, const N: usize> Sums<'a, N> {
+    fn new(level: &'a Level<N>, sides: &[usize; N]) -> Self {
+        let (halfway, whole) = (Halfway::new(level), Patch::whole(sides));
+        let kinds = collect(whole.len(), |at| level.kind_of_sum(&whole.site(at)));
+        let patches = collect(whole.len(), |at| match kinds[at] {
+            Kind::Idle => Patch::EMPTY,
+            _ => halfway.patch_of_sum(&whole.site(at)),
+        });
+        Self {
+            halfway,
+            whole,
+            kinds,
+            patches,
+        }
+    }
+
+    /// The splines before this one for which it has numbers and which have a stored row, with their places in its box.
+    fn before(&self, at: usize) -> impl Iterator<Item = (usize, [usize; N])> {
+        let (patch, site) = (&self.patches[at], self.whole.site(at));
+        let sites = patch.sites().take(patch.position(&site)).enumerate();
+        sites.filter(|(_, other)| self.kinds[self.whole.position(other)] == Kind::Stored)
+    }
+
+    /// The splines that are somewhere in H but in no row of a spline that is not stored.
+    fn splines(&self) -> Vec<usize> {
+        let splines = 0..self.kinds.len();
+        let counts = |&at: &usize| match self.kinds[at] {
+            Kind::Idle => false,
+            Kind::Stored => true,
+            Kind::Deep => self.before(at).next().is_some(),
+        };
+        splines.filter(counts).collect()
+    }
+
+    /// The boxes of the rows of H + Hᵀ.
+    fn symmetric(&self, splines: &[usize]) -> Vec<Patch<N>> {
+        let mut patches = self.patches.clone();
+        for &at in splines {
+            let only = Patch::around(&self.whole.site(at), 0, &self.whole.high);
+            for (_, other) in self.before(at) {
+                patches[self.whole.position(&other)].join(&only);
+            }
+        }
+        patches
+    }
+
+    /// Adds what H has of a spline to the rows of H + Hᵀ, of which those are there that begin with plane `first`.
+    fn add(&self, at: usize, planes: &mut [Plane<N>], first: usize) {
+        let (site, patch) = (self.whole.site(at), &self.patches[at]);
+        let unit = self.whole.len() / self.whole.high[N - 1];
+        let mut numbers = self.halfway.sum(&site, patch);
+        let row_of = |site: &[usize; N], plane: &Plane<N>| {
+            let row = plane.row(self.whole.position(site) % unit);
+            *row.expect("a stored row")
+        };
+        for (place, other) in self.before(at) {
+            let plane = &mut planes[other[N - 1] - first];
+            let row = row_of(&other, plane);
+            plane.values[row.place(&site)] += numbers[place] as Short;
+        }
+        if self.kinds[at] == Kind::Stored {
+            numbers[patch.position(&site)] *= 2.0;
+            let plane = &mut planes[site[N - 1] - first];
+            let row = row_of(&site, plane);
+            row.add(&site, patch, &numbers, &mut plane.values, |x| x as Short);
+        }
+    }
 }
 
 impl<const N: usize> Level<N> {
-    /// The same form on the coarser lattice's splines, Galerkin's way.
+    /// The same form on the coarser lattice's splines, Galerkin's way: H + Hᵀ with H = W A Wᵀ for half of the form, A.
     pub fn halved(&self) -> Self {
         let sides = self.sides.map(halved);
-        let halfway = Halfway::new(self);
-        let whole = Patch::whole(&sides);
-        let (mut kinds, mut patches) = (Vec::new(), Vec::new());
-        for site in whole.sites() {
-            let kind = self.kind_of_sum(&site);
-            let mut patch = Patch::EMPTY;
-            if kind == Kind::Stored {
-                self.for_children(&site, |at, _| patch.join(&halfway.patch(at)));
-            }
-            kinds.push(kind);
-            patches.push(patch);
-        }
-        let mut planes = planes(&sides, &kinds, &patches);
-        let unit: usize = sides[..N - 1].iter().product();
-        for_chunks(&mut planes, 1, |plane, planes| {
-            let Plane { rows, values } = &mut planes[0];
-            for row in rows {
-                let site = whole.site(plane * unit + row.site as usize);
-                let mut sums = vec![0.0; row.patch.len()];
-                self.for_children(&site, |at, factor| {
-                    halfway.add(at, factor, &row.patch, &mut sums);
-                });
-                for (value, sum) in values[row.start..].iter_mut().zip(sums) {
-                    *value = sum as _;
-                }
+        let sums = Sums::new(self, &sides);
+        let splines = sums.splines();
+        let mut planes = planes(&sides, &sums.kinds, &sums.symmetric(&splines));
+        // A spline adds to its own row and to those of splines at most two planes before it.
+        let reached = |&at: &usize| {
+            let plane = sums.whole.site(at)[N - 1];
+            (at as u32, sums.patches[at].low[N - 1], plane + 1)
+        };
+        let slabs = Slabs::new(planes.len(), splines.iter().map(reached).collect());
+        slabs.add_up(&mut planes, 1, |splines, planes, first| {
+            for &at in splines {
+                sums.add(at as usize, planes, first);
             }
         });
         let scale = 2.0_f64.powi(N as i32 - 4);
         let stencil = self.stencil.iter().map(|x| scale * x).collect();
-        Self::new(sides, kinds, planes, stencil)
+        Self::new(sides, sums.kinds, planes, stencil)
     }
 
     /// What is known of the row of a spline of the coarser lattice.

@@ -1,9 +1,11 @@
-//! The form on the splines of one lattice: a constant stencil far inside, rows of numbers near ∂Ω.
+//! The form on the splines of one lattice: a constant stencil far inside, rows of numbers near ∂Ω. Each pair of splines is there once.
 
 use super::super::patch::Patch;
 use super::super::stencil::Short;
+use super::rows::{Plane, Row};
 use crate::norm::iterative::smoother::{Room, Smoothed};
-use crate::parallel::{for_chunks, for_chunks_together};
+use crate::parallel::{for_chunks, for_chunks_in, for_chunks_together};
+use std::ops::Range;
 
 /// What is known of a spline's row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,29 +26,12 @@ pub(super) struct Level<const N: usize> {
     pub kinds: Vec<Kind>,
     /// The rows by planes across the last axis.
     pub planes: Vec<Plane<N>>,
-    /// The row of every deep spline: 7^N numbers.
+    /// The row of every deep spline: 7^N numbers, of which the application takes those from the middle on.
     pub stencil: Vec<f64>,
+    /// Planes whose rows are applied one after the other.
+    pieces: Vec<Piece>,
     /// The inverse diagonal; zero where there is no row.
     inverse: Vec<Short>,
-}
-
-/// The stored rows of a plane.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Plane<const N: usize> {
-    /// In the order of their splines.
-    pub rows: Vec<Row<N>>,
-    pub values: Vec<Short>,
-}
-
-/// A stored row.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Row<const N: usize> {
-    /// Which spline of the plane.
-    pub site: u32,
-    /// Where its numbers begin.
-    pub start: usize,
-    /// The splines that they belong to.
-    pub patch: Patch<N>,
 }
 
 /// A diagonal entry below this part of a deep spline's is one of a spline that hardly touches the mesh: what P makes of it is below
@@ -54,34 +39,34 @@ pub(super) struct Row<const N: usize> {
 /// (meshes along the lattice, p = 1) has nothing but rounding, 1e-10, in its row, and the inverse makes much of it.
 const NOTHING: f64 = 1e-10;
 
-impl<const N: usize> Plane<N> {
-    /// Rows of zeros.
-    pub fn new(rows: impl Iterator<Item = (u32, Patch<N>)>) -> Self {
-        let mut plane = Self {
-            rows: Vec::new(),
-            values: Vec::new(),
-        };
-        let mut start = 0;
-        for (site, patch) in rows {
-            plane.rows.push(Row { site, start, patch });
-            start += patch.len();
+/// How many pieces there are about: more than threads, and few enough that what they share is little.
+const PIECES: usize = 16;
+
+/// Consecutive planes, whose rows reach the planes before `end`.
+#[derive(Clone, Debug)]
+struct Piece {
+    planes: Range<usize>,
+    end: usize,
+}
+
+/// The planes in pieces with about as many numbers each.
+fn pieces<const N: usize>(sides: &[usize; N], planes: &[Plane<N>]) -> Vec<Piece> {
+    let unit: usize = sides[..N - 1].iter().product();
+    let work = |plane: &Plane<N>| plane.values.len() + unit;
+    let share = planes.iter().map(work).sum::<usize>().div_ceil(PIECES);
+    let (mut pieces, mut begin, mut sum, mut end) = (Vec::new(), 0, 0, 0);
+    for (i, plane) in planes.iter().enumerate() {
+        let reached = plane.rows.iter().map(|row| row.patch.high[N - 1]);
+        // Deep splines reach three planes.
+        end = reached.fold(end.max(i + 4), usize::max).min(planes.len());
+        sum += work(plane);
+        if sum >= share || i + 1 == planes.len() {
+            let planes = begin..i + 1;
+            pieces.push(Piece { planes, end });
+            (begin, sum, end) = (i + 1, 0, 0);
         }
-        plane.values = vec![0.0; start];
-        plane
     }
-
-    /// The numbers of a row.
-    pub fn numbers(&self, row: &Row<N>) -> &[Short] {
-        &self.values[row.start..row.start + row.patch.len()]
-    }
-
-    /// The row of a spline of the plane.
-    pub fn row(&self, site: usize) -> Option<&Row<N>> {
-        let found = self
-            .rows
-            .binary_search_by_key(&site, |row| row.site as usize);
-        found.ok().map(|row| &self.rows[row])
-    }
+    pieces
 }
 
 impl<const N: usize> Level<N> {
@@ -94,23 +79,51 @@ impl<const N: usize> Level<N> {
         let mut level = Self {
             sides,
             inverse: vec![0.0; kinds.len()],
+            pieces: pieces(&sides, &planes),
             kinds,
             planes,
             stencil,
         };
-        let middle = level.stencil[level.stencil.len() / 2];
+        let (middle, mut lost) = (level.stencil[level.stencil.len() / 2], false);
         for at in 0..level.inverse.len() {
             let diagonal = match level.kinds[at] {
                 Kind::Idle => continue,
                 Kind::Deep => middle,
                 Kind::Stored => level.entry(at),
             };
-            match diagonal > NOTHING * middle {
-                true => level.inverse[at] = (1.0 / diagonal) as Short,
-                false => level.kinds[at] = Kind::Idle,
+            if diagonal > NOTHING * middle {
+                level.inverse[at] = (1.0 / diagonal) as Short;
+            } else {
+                level.kinds[at] = Kind::Idle;
+                lost = true;
             }
         }
+        if lost {
+            level.drop_idle();
+        }
         level
+    }
+
+    /// Sets the numbers to zero that belong to an idle spline, in its row and in others.
+    fn drop_idle(&mut self) {
+        let (whole, unit, kinds) = (Patch::whole(&self.sides), self.plane(), &self.kinds);
+        for_chunks(&mut self.planes, 1, |plane, planes| {
+            let Plane { rows, values, .. } = &mut planes[0];
+            for row in rows {
+                let at = plane * unit + row.spline as usize;
+                let mut values = &mut values[row.range()];
+                for (line, along) in row.patch.lines_from(&whole.site(at)) {
+                    let (numbers, rest) = values.split_at_mut(along);
+                    let kinds_of_line = &kinds[whole.position(&line)..];
+                    for (x, kind) in numbers.iter_mut().zip(kinds_of_line) {
+                        if kinds[at] == Kind::Idle || *kind == Kind::Idle {
+                            *x = 0.0;
+                        }
+                    }
+                    values = rest;
+                }
+            }
+        });
     }
 
     /// How many splines a plane.
@@ -118,29 +131,39 @@ impl<const N: usize> Level<N> {
         self.sides[..N - 1].iter().product()
     }
 
-    /// The diagonal entry of a stored row.
+    /// The diagonal entry of a stored row: its first number.
     fn entry(&self, at: usize) -> f64 {
-        let (plane, site) = (at / self.plane(), Patch::whole(&self.sides).site(at));
-        let plane_of = &self.planes[plane];
-        let row = plane_of.row(at % self.plane()).expect("a stored row");
-        f64::from(plane_of.values[row.start + row.patch.position(&site)])
+        let plane = &self.planes[at / self.plane()];
+        let row = plane.row(at % self.plane()).expect("a stored row");
+        f64::from(plane.numbers(row)[0])
     }
 
-    /// The numbers of the row of a spline that is not idle, with the splines that they belong to.
+    /// The numbers in the row of a spline that is not idle, from its own on, with the splines that they belong to.
     pub fn for_row(&self, at: usize, mut work: impl FnMut(usize, f64)) {
         let whole = Patch::whole(&self.sides);
+        let site = whole.site(at);
+        let numbers = |patch: &Patch<N>| {
+            let lines = patch.lines_from(&site);
+            lines.flat_map(|(line, along)| (0..along).map(move |i| (line, i)))
+        };
+        let mut take = |(line, i): ([usize; N], usize), x| work(whole.position(&line) + i, x);
         if self.kinds[at] == Kind::Deep {
-            let patch = Patch::around(&whole.site(at), 3, &self.sides);
-            for (site, x) in patch.sites().zip(&self.stencil) {
-                work(whole.position(&site), *x);
+            let patch = Patch::around(&site, 3, &self.sides);
+            for (place, x) in numbers(&patch).zip(self.half_stencil()) {
+                take(place, *x);
             }
             return;
         }
         let plane = &self.planes[at / self.plane()];
         let row = plane.row(at % self.plane()).expect("a stored row");
-        for (site, x) in row.patch.sites().zip(plane.numbers(row)) {
-            work(whole.position(&site), f64::from(*x));
+        for (place, x) in numbers(&row.patch).zip(plane.numbers(row)) {
+            take(place, f64::from(*x));
         }
+    }
+
+    /// The stencil from the spline itself on.
+    pub fn half_stencil(&self) -> &[f64] {
+        &self.stencil[self.stencil.len() / 2..]
     }
 
     /// Sets to zero what belongs to no row.
@@ -152,78 +175,117 @@ impl<const N: usize> Level<N> {
         }
     }
 
-    /// The part of `apply` along a line of a plane for deep splines next to each other.
-    fn stencil_line(&self, x: &[Short], at: usize, y: &mut [Short]) {
-        let site = Patch::whole(&self.sides).site(at);
-        let patch = Patch::around(&site, 3, &self.sides);
+    /// Adds what a line's deep splines next to each other, the first of them `at`, have to A x; y begins at spline `begin`.
+    fn add_run(&self, x: &[Short], at: usize, run: usize, y: &mut [Short], begin: usize) {
         let whole = Patch::whole(&self.sides);
-        for (line, weights) in patch.lines().zip(self.stencil.chunks_exact(7)) {
-            let begin = whole.position(&line);
-            for (i, &weight) in weights.iter().enumerate() {
+        let site = whole.site(at);
+        let mut weights = self.half_stencil();
+        for (line, along) in Patch::around(&site, 3, &self.sides).lines_from(&site) {
+            let (of_line, rest) = weights.split_at(along);
+            for (other, &weight) in (whole.position(&line)..).zip(of_line) {
                 let weight = weight as Short;
-                for (y, x) in y.iter_mut().zip(&x[begin + i..]) {
-                    *y += weight * x;
+                add(&mut y[at - begin..][..run], weight, &x[other..]);
+                if other != at {
+                    add(&mut y[other - begin..][..run], weight, &x[at..]);
                 }
             }
+            weights = rest;
         }
     }
 
-    /// A stored row times x. Four sums, which do not wait for each other, and one of what is left of the lines.
-    fn row_times(&self, plane: &Plane<N>, row: &Row<N>, x: &[Short]) -> Short {
-        let (whole, along) = (Patch::whole(&self.sides), row.patch.sides()[0]);
-        let values = plane.numbers(row);
-        let (mut sums, mut last) = ([0.0; 4], 0.0);
-        for (line, values) in row.patch.lines().zip(values.chunks_exact(along)) {
-            let begin = whole.position(&line);
-            let (fours, rest) = values.as_chunks::<4>();
-            let (x_fours, x_rest) = x[begin..begin + along].as_chunks::<4>();
-            for (values, x) in fours.iter().zip(x_fours) {
+    /// Adds what a stored row has to A x. Four sums, which do not wait for each other, and one of what is left of the lines.
+    fn add_row(&self, x: &[Short], at: usize, row: &Row<N>, y: &mut [Short], begin: usize) {
+        let (whole, unit) = (Patch::whole(&self.sides), self.plane());
+        let mut values = self.planes[at / unit].numbers(row);
+        let (own, mut sums, mut last) = (x[at], [0.0; 4], -values[0] * x[at]);
+        for (line, along) in row.patch.lines_from(&whole.site(at)) {
+            let (of_line, rest) = values.split_at(along);
+            let other = whole.position(&line);
+            let (x, y) = (&x[other..][..along], &mut y[other - begin..][..along]);
+            let (fours, ends) = of_line.as_chunks::<4>();
+            let (x_fours, x_ends) = x.as_chunks::<4>();
+            let (y_fours, y_ends) = y.as_chunks_mut::<4>();
+            for ((values, x), y) in fours.iter().zip(x_fours).zip(y_fours) {
                 for i in 0..4 {
                     sums[i] += values[i] * x[i];
+                    y[i] += values[i] * own;
                 }
             }
-            for (value, x) in rest.iter().zip(x_rest) {
+            for ((value, x), y) in ends.iter().zip(x_ends).zip(y_ends) {
                 last += value * x;
+                *y += value * own;
             }
+            values = rest;
         }
-        sums.into_iter().sum::<Short>() + last
+        // The diagonal was in both.
+        y[at - begin] += sums.into_iter().sum::<Short>() + last;
     }
 
-    /// A x on a plane.
-    fn plane_times(&self, plane: usize, x: &[Short], y: &mut [Short]) {
-        let unit = self.plane();
+    /// What the rows of some planes have to A x.
+    fn piece_times(&self, piece: &Piece, x: &[Short], y: &mut [Short]) {
+        let (unit, begin) = (self.plane(), piece.planes.start * self.plane());
         y.fill(0.0);
-        let kinds = &self.kinds[plane * unit..(plane + 1) * unit];
-        // Runs of deep splines never go beyond a line: the first and the last spline of a line are not deep.
-        let mut begin = 0;
-        for run in kinds.chunk_by(|a, b| a == b) {
-            if run[0] == Kind::Deep {
-                self.stencil_line(x, plane * unit + begin, &mut y[begin..begin + run.len()]);
+        for plane in piece.planes.clone() {
+            // Runs of deep splines never go beyond a line: the first and the last spline of a line are not deep.
+            let mut at = plane * unit;
+            for run in self.kinds[at..at + unit].chunk_by(|a, b| a == b) {
+                if run[0] == Kind::Deep {
+                    self.add_run(x, at, run.len(), y, begin);
+                }
+                at += run.len();
             }
-            begin += run.len();
+            for row in &self.planes[plane].rows {
+                self.add_row(x, plane * unit + row.spline as usize, row, y, begin);
+            }
         }
-        let stored = &self.planes[plane];
-        for row in &stored.rows {
-            y[row.site as usize] = self.row_times(stored, row, x);
+    }
+
+    /// A x, piece by piece.
+    fn by_piece(&self, x: &[Short], parts: &mut [Vec<Short>]) {
+        for_chunks(parts, 1, |i, part| {
+            self.piece_times(&self.pieces[i], x, &mut part[0])
+        });
+    }
+
+    /// The sum over the pieces on a plane.
+    fn collect(&self, parts: &[Vec<Short>], plane: usize, y: &mut [Short]) {
+        y.fill(0.0);
+        for (piece, part) in self.pieces.iter().zip(parts) {
+            if (piece.planes.start..piece.end).contains(&plane) {
+                add(y, 1.0, &part[(plane - piece.planes.start) * y.len()..]);
+            }
         }
+    }
+}
+
+/// y += α x, as far as y goes.
+#[inline]
+fn add(y: &mut [Short], alpha: Short, x: &[Short]) {
+    for (y, x) in y.iter_mut().zip(x) {
+        *y += alpha * x;
     }
 }
 
 impl<const N: usize> Smoothed for Level<N> {
     type Number = Short;
-    /// The image of a vector.
-    type Room = Vec<Short>;
+    /// What the pieces have to A x.
+    type Room = Vec<Vec<Short>>;
 
-    fn room(&self) -> Vec<Short> {
-        vec![0.0; self.len()]
+    fn room(&self) -> Self::Room {
+        let len = |piece: &Piece| (piece.end - piece.planes.start) * self.plane();
+        self.pieces
+            .iter()
+            .map(|piece| vec![0.0; len(piece)])
+            .collect()
     }
 
     fn len(&self) -> usize {
         self.inverse.len()
     }
 
-    fn apply(&self, x: &[Short], y: &mut [Short], _: &mut Vec<Short>) {
-        for_chunks(y, self.plane(), |plane, y| self.plane_times(plane, x, y));
+    fn apply(&self, x: &[Short], y: &mut [Short], room: &mut Self::Room) {
+        self.by_piece(x, room);
+        for_chunks(y, self.plane(), |plane, y| self.collect(room, plane, y));
     }
 
     fn invert(&self, r: &[Short], z: &mut [Short]) {
@@ -233,44 +295,29 @@ impl<const N: usize> Smoothed for Level<N> {
     }
 
     fn subtract_image(&self, room: &mut Room<Self>) {
-        let (x, vectors) = (
-            &room.correction,
-            [&mut room.residual[..], &mut room.operator],
-        );
-        for_chunks_together(
-            vectors,
-            self.plane(),
-            || (),
-            |plane, [r, image], ()| {
-                self.plane_times(plane, x, image);
-                for (r, image) in r.iter_mut().zip(image) {
-                    *r -= *image;
-                }
-            },
-        );
+        let (unit, parts) = (self.plane(), &mut room.operator);
+        self.by_piece(&room.correction, parts);
+        let image = || vec![0.0; unit];
+        for_chunks_in(&mut room.residual, unit, image, |plane, r, image| {
+            self.collect(parts, plane, image);
+            add(r, -1.0, image);
+        });
     }
 
     fn step(&self, weight: f64, z: &mut [Short], room: &mut Room<Self>) {
-        let (unit, weight) = (self.plane(), weight as Short);
-        let (x, vectors) = (
-            &room.correction,
-            [&mut room.residual[..], &mut room.operator, z],
-        );
-        // The old correction is still needed on the planes nearby: the new one goes to where the image is.
-        for_chunks_together(
-            vectors,
-            unit,
-            || (),
-            |plane, [r, image, z], ()| {
-                self.plane_times(plane, x, image);
-                let inverses = &self.inverse[plane * unit..];
-                for (((r, c), z), inverse) in r.iter_mut().zip(image).zip(z).zip(inverses) {
-                    *r -= *c;
-                    *c = weight * (*r * inverse);
-                    *z += *c;
-                }
-            },
-        );
-        std::mem::swap(&mut room.correction, &mut room.operator);
+        let (unit, weight, parts) = (self.plane(), weight as Short, &mut room.operator);
+        self.by_piece(&room.correction, parts);
+        let (vectors, image) = ([&mut room.residual[..], &mut room.correction, z], || {
+            vec![0.0; unit]
+        });
+        for_chunks_together(vectors, unit, image, |plane, [r, c, z], image| {
+            self.collect(parts, plane, image);
+            add(r, -1.0, image);
+            let inverses = &self.inverse[plane * unit..];
+            for (((r, c), z), inverse) in r.iter().zip(c).zip(z).zip(inverses) {
+                *c = weight * (r * inverse);
+                *z += *c;
+            }
+        });
     }
 }

@@ -6,6 +6,7 @@ mod galerkin;
 mod halve;
 mod inside;
 mod level;
+mod rows;
 
 use super::stencil::{Grid, Short};
 use super::transfer::Transfer;
@@ -106,6 +107,7 @@ impl<const N: usize> Levels<N> {
         };
         let (room, rooms) = rooms.split_first_mut().expect("a room for each level");
         room.residual.copy_from_slice(z);
+        level.clear(&mut room.residual);
         smoother.begin(level, z, room);
         let mut coarse = halve::restrict(&room.residual, &level.sides);
         self.cycle(depth + 1, &mut coarse, rooms);
@@ -144,6 +146,7 @@ impl Dense {
             level.for_row(at, |column, number| {
                 if let Some(j) = places[column] {
                     a[(i, j)] = number;
+                    a[(j, i)] = number;
                 }
             });
         }
