@@ -236,10 +236,10 @@ fn chunks<T: Send, W, const M: usize>(
 
 /// The chunks of some lists of one length, side by side.
 #[cfg(feature = "norms")]
-fn together<'a, T, const M: usize>(
-    data: [&'a mut [T]; M],
+fn together<T, const M: usize>(
+    data: [&mut [T]; M],
     length: usize,
-) -> impl Iterator<Item = [&'a mut [T]; M]> {
+) -> impl Iterator<Item = [&mut [T]; M]> {
     let mut lists = data.map(|list| list.chunks_mut(length));
     std::iter::from_fn(move || {
         let chunks = lists.each_mut().map(Iterator::next);

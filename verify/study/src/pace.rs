@@ -58,9 +58,9 @@ impl Study {
         thread::scope(|scope| {
             let waiting = &waiting;
             if pace == Pace::Double {
-                scope.spawn(move || self.from_behind(earlier, waiting, &sender));
+                scope.spawn(move || self.backwards(earlier, waiting, &sender));
             }
-            let rows = self.in_order(earlier, waiting, &receiver, observe);
+            let rows = self.forwards(earlier, waiting, &receiver, observe);
             // After a failure nothing more is begun.
             take(waiting, VecDeque::clear);
             rows
@@ -68,7 +68,7 @@ impl Study {
     }
 
     /// Computes the last case of those that wait, until none does.
-    fn from_behind(&self, earlier: &[Row], waiting: &Waiting, finished: &Sender<Finished>) {
+    fn backwards(&self, earlier: &[Row], waiting: &Waiting, finished: &Sender<Finished>) {
         while let Some(place) = take(waiting, VecDeque::pop_back) {
             let mut rows = Vec::new();
             let result = self.run_case(self.cases[place], earlier, &mut rows, &mut |_| ());
@@ -78,7 +78,7 @@ impl Study {
     }
 
     /// Goes through the cases, computes those that wait and takes over the others.
-    fn in_order(
+    fn forwards(
         &self,
         earlier: &[Row],
         waiting: &Waiting,
