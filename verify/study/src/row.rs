@@ -27,7 +27,7 @@ pub struct Row {
     pub order: Option<f64>,
     /// What the paper has for this row; null where it has nothing.
     pub printed: Option<f64>,
-    /// Wall-clock time. What several interpolants share counts for the first of them.
+    /// Wall-clock time. What several interpolants share counts for the first of them. Where two cases are computed at once, each beside the other.
     pub seconds: f64,
     /// What solved the biharmonic problem: `cholesky` or `cg`; empty in reports of before there was a choice.
     #[serde(default)]
