@@ -356,3 +356,59 @@ impl<const N: usize> Level<N> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Mesh, SplitMix64};
+    use crate::norm::hhj::Hhj;
+    use crate::norm::iterative::cg::dot;
+    use crate::norm::iterative::coarse::domain::{background, galerkin};
+    use crate::norm::iterative::coarse::transfer::Transfer;
+    use crate::norm::iterative::skeleton::Skeleton;
+    use crate::norm::iterative::smoother::Smoothed;
+    use std::sync::Arc;
+
+    /// On every lattice a spline has the energy that it has on the finer one, and the form is symmetric.
+    #[test]
+    fn energies_are_those_of_the_finer_lattice() {
+        let mesh = Mesh::<3>::cube(8).unwrap().perturbed(0.05, 5).unwrap();
+        let hhj = Arc::new(Hhj::new(&mesh, 3).unwrap());
+        let skeleton = Arc::new(Skeleton::new(&mesh, 3));
+        let transfer = Transfer::new(&hhj, &skeleton, background(&hhj).unwrap());
+        let mut fine = galerkin::finest(&transfer);
+        let energy = |level: &Level<3>, x: &[Short], y: &[Short]| {
+            let mut image = vec![0.0; x.len()];
+            level.apply(x, &mut image, &mut level.room());
+            dot(&image, y)
+        };
+        for lattice in 1..=2 {
+            let coarse = fine.halved();
+            let has = |level: &Level<3>, kind| level.kinds.contains(&kind);
+            assert!(has(&coarse, Kind::Stored) && (lattice == 2 || has(&fine, Kind::Deep)));
+            let mut random = SplitMix64::new(lattice);
+            let mut spline = || {
+                let mut x: Vec<Short> = (0..coarse.kinds.len())
+                    .map(|_| random.symmetric() as Short)
+                    .collect();
+                coarse.clear(&mut x);
+                x
+            };
+            let (x, y) = (spline(), spline());
+            let finer = |x: &[Short]| {
+                let mut finer = prolong(x.to_vec(), &fine.sides);
+                fine.clear(&mut finer);
+                finer
+            };
+            let expected = energy(&fine, &finer(&x), &finer(&y));
+            let scale = (energy(&coarse, &x, &x) * energy(&coarse, &y, &y)).sqrt();
+            for found in [energy(&coarse, &x, &y), energy(&coarse, &y, &x)] {
+                assert!(
+                    (found - expected).abs() < 1e-5 * scale,
+                    "{found}, {expected}, {scale}"
+                );
+            }
+            fine = coarse;
+        }
+    }
+}
