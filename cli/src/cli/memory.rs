@@ -25,10 +25,19 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 impl Args {
+    /// How many bytes there are; None where nothing says.
+    fn limit(&self) -> Option<f64> {
+        self.memory_limit.map(|gib| gib * GIB).or_else(available)
+    }
+
+    /// Are there so many bytes?
+    pub fn fits(&self, need: f64) -> bool {
+        self.limit().is_none_or(|limit| need <= limit)
+    }
+
     /// Refuses what needs more bytes than there are; `advice` is what else may be done.
     pub fn check(&self, what: &str, need: f64, advice: &str) -> Result<(), Stop> {
-        let limit = self.memory_limit.map(|gib| gib * GIB).or_else(available);
-        match limit.filter(|limit| need > *limit) {
+        match self.limit().filter(|limit| need > *limit) {
             None => Ok(()),
             Some(limit) => Err(Stop::Input(format!(
                 "{what} needs about {} of memory, of {} ({advice}, or --memory-limit if the estimate is wrong)",

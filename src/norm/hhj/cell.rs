@@ -200,11 +200,10 @@ pub(in crate::norm) fn root(a: &DMatrix<f64>, bubbles: usize, rank: usize) -> DM
     // Its lower triangle is that of what is not eliminated yet.
     let mut rest = a.view((bubbles, bubbles), (n, n)).into_owned();
     let mut rows = DMatrix::zeros(rank, n);
-    let mut first = 0.0;
+    let greatest = rest.diagonal().max();
     for step in 0..rank {
         let (at, pivot) = rest.diagonal().argmax();
-        first = if step == 0 { pivot } else { first };
-        if pivot <= EXHAUSTED * first {
+        if pivot <= EXHAUSTED * greatest {
             break;
         }
         let entry = |i: usize| rest[(i.max(at), i.min(at))] / pivot.sqrt();

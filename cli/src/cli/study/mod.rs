@@ -77,7 +77,7 @@ impl Job {
 
     /// Two cases at once where threads and memory suffice and it helps.
     fn pace(&self, common: &Common) -> Pace {
-        let fits = |need| common.memory.check("", need, "").is_ok();
+        let fits = |need| common.memory.fits(need);
         let several = rayon::current_num_threads() > 1;
         match several && self.study.side_by_side().is_some_and(fits) {
             true => Pace::Double,

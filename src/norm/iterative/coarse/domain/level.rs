@@ -307,9 +307,8 @@ impl<const N: usize> Smoothed for Level<N> {
     fn step(&self, weight: f64, z: &mut [Short], room: &mut Room<Self>) {
         let (unit, weight, parts) = (self.plane(), weight as Short, &mut room.operator);
         self.by_piece(&room.correction, parts);
-        let (vectors, image) = ([&mut room.residual[..], &mut room.correction, z], || {
-            vec![0.0; unit]
-        });
+        let image = || vec![0.0; unit];
+        let vectors = [&mut room.residual[..], &mut room.correction, z];
         for_chunks_together(vectors, unit, image, |plane, [r, c, z], image| {
             self.collect(parts, plane, image);
             add(r, -1.0, image);

@@ -1,6 +1,7 @@
 //! Splines on a lattice that reaches past a domain of any shape: all those that meet the mesh, and a cycle over lattices with
 //! boxes twice, four times, … as large to solve with their form.
 
+mod coarser;
 mod energy;
 mod galerkin;
 mod halve;
