@@ -39,7 +39,7 @@ pub(super) trait Smoothed: Sized {
     /// residual −= A correction.
     fn subtract_image(&self, room: &mut Room<Self>);
 
-    /// residual −= A correction, correction = ω J residual and z += correction, in one pass over the unknowns.
+    /// residual −= A correction, correction = ω J residual and z += correction.
     fn step(&self, weight: f64, z: &mut [Self::Number], room: &mut Room<Self>);
 }
 
