@@ -11,6 +11,7 @@ mod generate;
 mod incidence;
 mod numbering;
 mod perturb;
+mod shape;
 
 #[cfg(feature = "serde")]
 pub(crate) use document::Version;
@@ -285,20 +286,5 @@ impl<const N: usize> Mesh<N> {
             jacobian.set_column(i, &(self.corner(cell, i + 1)? - origin));
         }
         Some(jacobian)
-    }
-
-    /// The largest edge length in ℝ^N: h = max_T h_T. Zero without coordinates.
-    pub fn mesh_size(&self) -> f64 {
-        let mut size: f64 = 0.0;
-        for cell in 0..self.cell_count() {
-            for i in 0..=N {
-                for j in 0..i {
-                    if let (Some(a), Some(b)) = (self.corner(cell, i), self.corner(cell, j)) {
-                        size = size.max((a - b).norm());
-                    }
-                }
-            }
-        }
-        size
     }
 }

@@ -4,7 +4,6 @@ mod dissection;
 mod unknowns;
 
 use super::dual::{Representative, Step};
-use super::hhj::cell::eliminate;
 use super::hhj::{Hhj, Size};
 use super::solver::BiharmonicSolver;
 use crate::Error;
@@ -42,18 +41,17 @@ impl<const N: usize> Direct<N> {
         let mut places = vec![0; unknowns.len()];
         let mut bubbles = Vec::with_capacity(mesh.cell_count() * layout.bubbles * layout.len);
         for begin in (0..mesh.cell_count()).step_by(CHUNK) {
-            let eliminated = |i: usize| {
-                let mut energy = hhj.energy(begin + i);
-                eliminate(&mut energy, layout.bubbles);
-                energy
-            };
             let count = CHUNK.min(mesh.cell_count() - begin);
-            in_order(count, eliminated, |i, local| {
-                let (cell, blocks) = (begin + i, blocks(begin + i));
-                bubbles.extend_from_slice(&local.as_slice()[..layout.bubbles * layout.len]);
-                unknowns.locate(&blocks, &hhj.cell_unknowns(cell), &mut places);
-                matrix.add(&blocks, &local);
-            });
+            in_order(
+                count,
+                |i| hhj.condensed(begin + i),
+                |i, local| {
+                    let (cell, blocks) = (begin + i, blocks(begin + i));
+                    bubbles.extend_from_slice(&local.as_slice()[..layout.bubbles * layout.len]);
+                    unknowns.locate(&blocks, &hhj.cell_unknowns(cell), &mut places);
+                    matrix.add(&blocks, &local);
+                },
+            );
         }
         let factor = match places.is_empty() {
             true => None,

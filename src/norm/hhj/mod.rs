@@ -14,7 +14,7 @@ use crate::mesh::Mesh;
 use crate::quadrature::Rule;
 use crate::simplex::{Bernstein, Points};
 use crate::spaces::Lagrange;
-use cell::Shape;
+use cell::{Shape, eliminate};
 use element::Element;
 use layout::{Layout, slopes};
 use nalgebra::DMatrix;
@@ -104,6 +104,13 @@ impl<const N: usize> Hhj<N> {
     /// on affine u with its û.
     pub fn energy(&self, cell: usize) -> DMatrix<f64> {
         self.shape(cell).energy(&self.element)
+    }
+
+    /// [`Hhj::energy`] without the bubbles, as [`eliminate`] leaves it.
+    pub(in crate::norm) fn condensed(&self, cell: usize) -> DMatrix<f64> {
+        let mut energy = self.energy(cell);
+        eliminate(&mut energy, self.layout().bubbles);
+        energy
     }
 
     /// A solver's error with the cell that is most likely its reason: the one that is flattest for its size.

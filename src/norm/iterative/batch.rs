@@ -1,6 +1,7 @@
 //! Some cells side by side: every number of a cell is a lane of a row, and rows are what loops and products run over.
 
 use super::number::Number;
+use super::packed::lower;
 use crate::norm::hhj::Hhj;
 use crate::norm::hhj::cell::raise;
 use crate::norm::hhj::element::Element;
@@ -189,12 +190,6 @@ impl<'a, T: Number> Batch<'a, T> {
             }
         }
     }
-}
-
-/// Where entry (a, b), b ≤ a, of a symmetric matrix is in its lower triangle, row after row.
-#[inline]
-pub(super) fn lower(a: usize, b: usize) -> usize {
-    a * (a + 1) / 2 + b
 }
 
 /// Row i of rows of n lanes.

@@ -112,7 +112,6 @@ mod tests {
     use crate::mesh::Mesh;
     use crate::mesh::SplitMix64;
     use crate::norm::hhj::Hhj;
-    use crate::norm::hhj::cell::eliminate;
     use crate::norm::iterative::cg::{axpy, dot};
     use crate::norm::iterative::skeleton::Skeleton;
     use std::sync::Arc;
@@ -128,15 +127,10 @@ mod tests {
         let layout = hhj.layout();
         let mut y = vec![0.0; x.len()];
         for (cell, &of_mesh) in skeleton.order.cells.iter().enumerate() {
-            let mut energy = hhj.energy(of_mesh as usize);
-            eliminate(&mut energy, layout.bubbles);
-            let free = layout.blocks.iter().flat_map(|b| {
-                let unknowns = skeleton.of_cell(b.k, cell, b.place);
-                unknowns.enumerate().map(|(i, at)| (b.start + i, at))
-            });
-            let free: Vec<_> = free.collect();
-            for &(i, row) in &free {
-                for &(j, column) in &free {
+            let energy = hhj.condensed(of_mesh as usize);
+            let free: Vec<_> = skeleton.unknowns(hhj.layout(), cell).collect();
+            for &(row, i) in &free {
+                for &(column, j) in &free {
                     y[row] += energy[(i.max(j), i.min(j))] * x[column];
                 }
             }

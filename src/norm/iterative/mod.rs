@@ -2,12 +2,14 @@
 
 mod batch;
 mod cg;
+mod closures;
 mod coarse;
 mod cycle;
 mod jacobi;
 mod number;
 mod operator;
 mod order;
+mod packed;
 mod skeleton;
 mod smoother;
 
@@ -142,8 +144,8 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
     }
 }
 
-/// The bytes that the iteration takes: the cells' geometry, in both precisions, and order; inverse blocks in single precision; five
-/// vectors of conjugate gradients and four of the cycle, which are half as long; the load and the solution; a place for each cell's
+/// The bytes that the iteration takes: the cells' geometry, in both precisions, and order; inverse blocks in single precision, those of
+/// as many bad cells as may have one; five vectors of conjugate gradients and four of the cycle, which are half as long; the load and the solution; a place for each cell's
 /// result in both precisions. While they are set up the blocks are there in double precision too, and where the mesh is no cube
 /// with so many faces in ∂Ω the splines' rows.
 pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
@@ -159,6 +161,6 @@ pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let set_up = (8.0 * blocks - vectors).max(0.0);
     let splines = boundary.map_or(0.0, |faces| coarse::memory(size, faces));
     let of_cell = if size.dimension() == 2 { 230.0 } else { 420.0 };
-    let cells = of_cell * size.cells() as f64;
+    let cells = of_cell * size.cells() as f64 + closures::memory(size.cells(), size.outer());
     cells + 4.0 * blocks + vectors + solution + 12.0 * outer + set_up + splines
 }

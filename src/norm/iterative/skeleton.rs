@@ -4,7 +4,7 @@
 
 use super::order::Order;
 use crate::mesh::{Mesh, Numbering};
-use crate::norm::hhj::layout::{own, slopes};
+use crate::norm::hhj::layout::{Layout, own, slopes};
 
 /// Where the unknowns are.
 #[derive(Clone, Debug)]
@@ -57,6 +57,18 @@ impl Skeleton {
     pub fn of_cell(&self, k: usize, cell: usize, which: usize) -> std::ops::Range<usize> {
         let simplex = self.order.layers[k].free_of_cell(cell, which);
         simplex.map_or(0..0, |simplex| self.of_simplex(k, simplex))
+    }
+
+    /// The unknowns of a cell's interior simplices, each with its local index.
+    pub fn unknowns<'a>(
+        &'a self,
+        layout: &'a Layout,
+        cell: usize,
+    ) -> impl Iterator<Item = (usize, usize)> + 'a {
+        layout.blocks.iter().flat_map(move |block| {
+            let unknowns = self.of_cell(block.k, cell, block.place);
+            unknowns.zip(block.start..)
+        })
     }
 
     /// The unknowns of an interior k-simplex.

@@ -1,8 +1,8 @@
 //! The form on the finest lattice: ∫|∇²s|² on the boxes inside Ω, and the discrete form of what P makes of s on the cells that
-//! are not covered by them.
+//! are not covered by them, or are flat: what P makes of a spline costs more there than the spline.
 //!
 //! Cells that reach into the boxes inside count twice there. The sum is equivalent to the discrete form of P s, with constants
-//! that do not depend on the mesh's size, and has stored rows near ∂Ω only.
+//! that do not depend on the mesh's size, and has stored rows near ∂Ω and flat cells only.
 
 use super::super::patch::Patch;
 use super::super::slabs::Slabs;
@@ -13,11 +13,21 @@ use super::inside::Boxes;
 use super::level::{Kind, Level};
 use super::rows::{Plane, from_site};
 use crate::linalg::Vector;
-use crate::norm::hhj::cell::{eliminate, root};
+use crate::mesh::Mesh;
+use crate::norm::hhj::cell::root;
 use crate::parallel::for_chunks;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
+
+/// A cell whose mean ratio is below is flat. The largest eigenvalue with and without their form, by conjugate gradients on balls of
+/// 17 000 tetrahedra: 1.2 and 1.7 where the least mean ratio is 0.18 (p = 3), 1.04 and 34 (p = 3), 1.3 and 95 (p = 4) at 0.05.
+const FLAT: f64 = 0.3;
+
+/// Is a cell flat? Not where there are no points.
+pub(in crate::norm) fn is_flat<const N: usize>(mesh: &Mesh<N>, cell: usize) -> bool {
+    mesh.mean_ratio(cell).is_some_and(|ratio| ratio < FLAT)
+}
 
 /// What the finest level is made from.
 struct Finest<'a, const N: usize> {
@@ -26,7 +36,7 @@ struct Finest<'a, const N: usize> {
     energy: Energy,
     /// The form of a box's splines in units of the box's edge becomes that of the mesh's units.
     scale: f64,
-    /// The cells that the boxes inside do not cover.
+    /// The cells that the boxes inside do not cover, and the flat ones.
     near: Vec<u32>,
 }
 
@@ -43,7 +53,7 @@ pub(super) fn finest<const N: usize>(transfer: &Transfer<N>) -> Level<N> {
     };
     let cells = 0..transfer.skeleton.order.cells.len();
     finest.near = (cells.map(|cell| cell as u32))
-        .filter(|&cell| !finest.covered(cell))
+        .filter(|&cell| finest.is_flat(cell) || !finest.covered(cell))
         .collect();
     let (kinds, patches) = finest.classify();
     let mut planes = planes(&transfer.grid.sides, &kinds, &patches);
@@ -75,6 +85,11 @@ pub(super) fn planes<const N: usize>(
 }
 
 impl<const N: usize> Finest<'_, N> {
+    fn is_flat(&self, cell: u32) -> bool {
+        let cell = self.transfer.skeleton.order.cells[cell as usize];
+        is_flat(self.transfer.hhj.mesh(), cell as usize)
+    }
+
     /// Are all vertices of a cell in boxes inside?
     fn covered(&self, cell: u32) -> bool {
         let corners = self.corners(cell);
@@ -157,7 +172,7 @@ impl<const N: usize> Finest<'_, N> {
         });
     }
 
-    /// Adds what the cells near ∂Ω have.
+    /// Adds what the cells near ∂Ω and the flat ones have.
     fn add_cells(&self, planes: &mut [Plane<N>]) {
         let span = |&cell: &u32| {
             let reached = self.transfer.reached(&self.corners(cell));
@@ -172,7 +187,7 @@ impl<const N: usize> Finest<'_, N> {
                 for (site, form) in patch.sites().zip(form.chunks_exact(patch.len())) {
                     let plane = &mut planes[site[N - 1] - first];
                     let at = whole.position(&site) % unit;
-                    let row = *plane.row(at).expect("what cells near ∂Ω reach is stored");
+                    let row = *plane.row(at).expect("what such cells reach is stored");
                     row.add(&site, &patch, form, &mut plane.values, |x: Short| x);
                 }
             }
@@ -185,8 +200,7 @@ impl<const N: usize> Finest<'_, N> {
         let patch = self.transfer.reached(&self.corners(cell));
         let (layout, splines) = (hhj.layout(), patch.len());
         let cell = cell as usize;
-        let mut energy = hhj.energy(skeleton.order.cells[cell] as usize);
-        eliminate(&mut energy, layout.bubbles);
+        let energy = hhj.condensed(skeleton.order.cells[cell] as usize);
         let root = root(&energy, layout.bubbles, hhj.element().rank());
         let mut rows = vec![0.0; root.ncols() * splines];
         for block in &layout.blocks {
