@@ -32,10 +32,11 @@ const FEW: usize = 600;
 /// single precision leaves eigenvalues of either sign, up to 1e-5. The least that matter are above 1e-3 on so few splines.
 const SHIFT: f64 = 1e-4;
 /// The edge of the lattice's boxes in units of h/p. The smoother must reach down to what the splines see, and its steps are cheaper
-/// than splines: on a ball of 31 611 tetrahedra, p = 3, 2 with eight steps takes 19 iterations and half the memory where 1.5 with four
-/// takes 34, in half the time. In the plane 1 takes as many iterations as 1.5, and more time.
+/// than splines: on a ball of 16 692 tetrahedra, 2.25 with eight steps takes 12, 15 and 19 iterations (p = 2, 3, 4), 2 with seven 13, 16
+/// and 22, as long or up to a seventh longer; 1.75 with six 18 for p = 3, and a fifth longer. In the plane 1 takes as many iterations as
+/// 1.5, and more time.
 const fn coarseness(n: usize) -> f64 {
-    if n == 2 { 1.5 } else { 2.0 }
+    if n == 2 { 1.5 } else { 2.25 }
 }
 
 /// The lattice: p boxes of it, or fewer by [`coarseness`], to the edge h of a cube of N! mean cells.
