@@ -53,7 +53,7 @@ mod tests {
         assert!((equilateral.mean_ratio(0).unwrap() - 1.0).abs() < 1e-14);
         assert!((regular.mean_ratio(0).unwrap() - 1.0).abs() < 1e-14);
         for scale in [1.0, 1e-3] {
-            let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.3, 0.8, 0.1], [0.2, 0.4, 0.05]];
+            let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.3, 0.8, 0.1], [0.2, 0.4, 0.15]];
             let points = points.map(|x| x.map(|x| scale * x));
             let mesh = one(&points);
             let squares = (0..4).flat_map(|i| (0..i).map(move |j| (i, j)));

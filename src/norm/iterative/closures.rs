@@ -3,7 +3,8 @@
 //! The energy of a flat cell is large but for affine functions, which cost nothing there. Each of its simplices is stiff by itself, so
 //! that the simplices' own blocks hardly see what is affine on it; the block of all of them does. Without these blocks the
 //! steps of conjugate gradients follow the worst cell: on a ball of 17 000 tetrahedra, p = 3, 19, 30 and 71 where the least mean
-//! ratio is 0.40, 0.29 and 0.18, and over 1000 at 0.05; with them 18, 17, 24 and 38.
+//! ratio is 0.40, 0.31 and 0.20, and over 1000 where it is 0.05; with them, and with what is done for flat cells elsewhere, 15, 15, 22
+//! and 34.
 
 use super::packed::{invert, lower, multiply, packed};
 use super::skeleton::Skeleton;
@@ -14,11 +15,11 @@ use crate::parallel::{collect, in_order};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 
-/// A cell whose mean ratio is below has a block. On the meshes above 0.4 takes 20, 27 steps, 0.5 16, 25, and from 0.6 on blocks
-/// overlap so much that the smoother's largest eigenvalue grows.
+/// A cell whose mean ratio is below has a block. Where the least is 0.31 and 0.20 on these balls, 0.4 takes 20 and 27 steps, 0.5 as many
+/// as this, and from 0.6 on blocks overlap so much that the smoother's largest eigenvalue grows.
 const BAD: f64 = 0.45;
 /// At most one cell in so many has a block: where all cells are flat their blocks would take more memory than anything else.
-const ONE_IN: usize = 10;
+const ONE_IN: usize = 20;
 
 /// The worst cells, by their places in the solver's order, ascending.
 pub(super) fn bad_cells<const N: usize>(mesh: &Mesh<N>, skeleton: &Skeleton) -> Vec<usize> {
@@ -34,7 +35,7 @@ pub(super) fn bad_cells<const N: usize>(mesh: &Mesh<N>, skeleton: &Skeleton) -> 
 
 /// The bytes of the blocks if all are there that may be, by the number of cells and how many unknowns one has.
 pub(super) fn memory(cells: usize, outer: usize) -> f64 {
-    (cells / ONE_IN * packed(outer) * size_of::<f32>()) as f64
+    (cells / ONE_IN * packed(outer) * size_of::<f64>()) as f64
 }
 
 impl Share {
@@ -49,11 +50,11 @@ impl Share {
 #[derive(Clone, Debug)]
 pub(super) struct Closures(Vec<Closure>);
 
-/// The unknowns of a cell's interior simplices, and their block's inverse.
+/// The unknowns of a cell's interior simplices, and their block's inverse: in double precision, for it is small and large.
 #[derive(Clone, Debug)]
 struct Closure {
     unknowns: Vec<usize>,
-    inverse: Vec<f32>,
+    inverse: Vec<f64>,
 }
 
 /// Which cells have blocks, and which cells have a share in them.
@@ -158,7 +159,7 @@ impl Plan {
         };
         let inverses = collect(blocks.len(), inverse);
         let closures = self.unknowns.into_iter().zip(inverses).zip(self.cells);
-        let closure = |((unknowns, inverse), cell): ((_, Vec<f32>), usize)| {
+        let closure = |((unknowns, inverse), cell): ((_, Vec<f64>), usize)| {
             if inverse.iter().all(|x| x.is_finite()) {
                 return Ok(Closure { unknowns, inverse });
             }
@@ -175,14 +176,14 @@ impl Closures {
     pub fn add(&self, r: &[f32], z: &mut [f32]) {
         let image = |i: usize| {
             let Closure { unknowns, inverse } = &self.0[i];
-            let r: Vec<f32> = unknowns.iter().map(|&at| r[at]).collect();
+            let r: Vec<f64> = unknowns.iter().map(|&at| f64::from(r[at])).collect();
             let mut image = vec![0.0; r.len()];
             multiply(inverse, &r, &mut image);
             image
         };
         in_order(self.0.len(), image, |i, image| {
             for (&at, x) in self.0[i].unknowns.iter().zip(image) {
-                z[at] += x;
+                z[at] += x as f32;
             }
         });
     }

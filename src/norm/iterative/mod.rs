@@ -6,6 +6,8 @@ mod closures;
 mod coarse;
 mod cycle;
 mod jacobi;
+mod kernel;
+mod mixed;
 mod number;
 mod operator;
 mod order;
@@ -22,6 +24,7 @@ use coarse::Coarse;
 pub(super) use coarse::lattice::Lattice;
 use cycle::Cycle;
 use jacobi::BlockJacobi;
+use mixed::Mixed;
 use operator::Operator;
 use skeleton::Skeleton;
 use std::sync::Arc;
@@ -34,7 +37,7 @@ use std::sync::Arc;
 /// a cycle over coarser and coarser splines.
 #[derive(Debug)]
 pub struct Iterative<const N: usize> {
-    operator: Operator<f64, N>,
+    operator: Arc<Operator<f64, N>>,
     cycle: Cycle<N>,
     target: Target,
 }
@@ -68,10 +71,10 @@ impl<const N: usize> Iterative<N> {
         let skeleton = Arc::new(Skeleton::new(hhj.mesh(), hhj.space().degree()));
         let coarse = Coarse::new(&hhj, &skeleton)?;
         let jacobi = BlockJacobi::new(&hhj, &skeleton)?;
-        let cycle = Cycle::new(Operator::new(&hhj, &skeleton), jacobi, coarse);
+        let operator = Arc::new(Operator::new(&hhj, &skeleton));
         Ok(Self {
-            operator: Operator::new(&hhj, &skeleton),
-            cycle,
+            cycle: Cycle::new(Mixed::new(&operator), jacobi, coarse),
+            operator,
             target,
         })
     }

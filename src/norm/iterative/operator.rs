@@ -4,14 +4,12 @@
 //! Cells are taken in batches, so that B̂ and B̂ᵀ are products of dense matrices; each batch writes to a place of its own,
 //! and every simplex then adds up what its cells have for it, in their order: no bit depends on the threads.
 
-use super::batch::{Batch, CELLS, Geometry, row, row_mut};
+use super::batch::CELLS;
+use super::kernel::{Kernel, Work};
 use super::number::Number;
 use super::skeleton::Skeleton;
 use crate::norm::hhj::Hhj;
 use crate::parallel::{for_chunks, for_chunks_in};
-use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef, Par};
-use nalgebra::DMatrix;
 use std::sync::Arc;
 
 /// The operator on the unknowns of a [`Skeleton`].
@@ -19,11 +17,7 @@ use std::sync::Arc;
 pub(super) struct Operator<T, const N: usize> {
     pub hhj: Arc<Hhj<N>>,
     pub skeleton: Arc<Skeleton>,
-    /// B̂_aᵀ B̂_b + B̂_bᵀ B̂_a restricted to the bubbles, or half of it where a = b: row after row of the lower triangle.
-    gram: Vec<DMatrix<T>>,
-    /// B̂.
-    pairing: DMatrix<T>,
-    geometry: Geometry<T>,
+    pub kernel: Kernel<T, N>,
 }
 
 /// How many simplices add up their cells' contributions in one piece of work.
@@ -31,29 +25,16 @@ const SIMPLICES: usize = 1024;
 
 impl<T: Number, const N: usize> Operator<T, N> {
     pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>) -> Self {
-        let element = hhj.element();
-        let (size, bubbles) = (element.moments.len(), element.layout.bubbles);
-        let block = |a: usize| element.pairing.view((a * size, 0), (size, bubbles));
-        let pairs = element.pairs.len();
-        let product = |a: usize, b: usize| -> DMatrix<f64> { block(a).transpose() * block(b) };
-        let entries = (0..pairs).flat_map(|a| (0..=a).map(move |b| (a, b)));
-        let gram = entries.map(|(a, b)| match a == b {
-            true => product(a, a),
-            false => product(a, b) + product(b, a),
-        });
-        let gram = gram.map(|gram| gram.map(T::of)).collect();
         Self {
             hhj: hhj.clone(),
             skeleton: skeleton.clone(),
-            gram,
-            pairing: element.pairing.map(T::of),
-            geometry: Geometry::new(hhj, &skeleton.order.cells),
+            kernel: Kernel::new(hhj, skeleton),
         }
     }
 
     /// How much room [`Operator::apply`] needs.
     pub fn room(&self) -> usize {
-        self.hhj.mesh().cell_count() * self.outer()
+        self.hhj.mesh().cell_count() * self.kernel.outer()
     }
 
     /// The operations of [`Operator::apply`]: B̂ and B̂ᵀ, twice W ⊗ I where there are bubbles, and T with Tᵀ.
@@ -75,21 +56,17 @@ impl<T: Number, const N: usize> Operator<T, N> {
 
     /// y += factor · S x. `room` is overwritten.
     pub fn add(&self, factor: T, x: &[T], y: &mut [T], room: &mut [T]) {
-        self.for_batches(room, &|work, out| {
-            work.load(x);
-            work.bend(&|_| T::ZERO);
-            work.unload(out);
-        });
+        self.for_batches(room, &|work, out| work.image(x, out));
         self.collect(room, y, factor);
     }
 
     /// `work` at all batches, with the place for their results.
     fn for_batches(&self, room: &mut [T], work: &(dyn Fn(&mut Work<'_, T, N>, &mut [T]) + Sync)) {
-        let stride = CELLS * self.outer();
+        let stride = CELLS * self.kernel.outer();
         for_chunks_in(
             room,
             stride,
-            || Work::new(self),
+            || Work::new(&self.kernel),
             |batch, out, at| {
                 at.turn_to(batch);
                 work(at, out);
@@ -98,9 +75,9 @@ impl<T: Number, const N: usize> Operator<T, N> {
     }
 
     /// y += factor · the sum over the cells.
-    fn collect(&self, room: &[T], y: &mut [T], factor: T) {
+    pub fn collect(&self, room: &[T], y: &mut [T], factor: T) {
         let (order, layout) = (&self.skeleton.order, self.hhj.layout());
-        let (outer, cells) = (self.outer(), order.cells.len());
+        let (outer, cells) = (self.kernel.outer(), order.cells.len());
         for (k, simplices) in order.layers.iter().enumerate() {
             let width = self.skeleton.widths[k];
             if width == 0 {
@@ -124,16 +101,6 @@ impl<T: Number, const N: usize> Operator<T, N> {
             });
         }
     }
-
-    /// B̂ without the bubbles' columns.
-    fn outer_pairing(&self) -> MatRef<'_, T> {
-        as_mat(&self.pairing).subcols(self.hhj.layout().bubbles, self.outer())
-    }
-
-    /// How many of a cell's unknowns are not bubbles.
-    fn outer(&self) -> usize {
-        self.hhj.layout().len - self.hhj.layout().bubbles
-    }
 }
 
 /// What is done once a solution.
@@ -154,7 +121,7 @@ impl<const N: usize> Operator<f64, N> {
         if count == 0 {
             return;
         }
-        let (cells, stride) = (self.skeleton.order.cells.len(), CELLS * self.outer());
+        let (cells, stride) = (self.skeleton.order.cells.len(), CELLS * self.kernel.outer());
         self.for_batches(room, &|work, out| {
             work.load(x);
             work.bend(&|place| load[place]);
@@ -168,128 +135,4 @@ impl<const N: usize> Operator<f64, N> {
             }
         }
     }
-}
-
-/// A batch at work, and after it the next.
-struct Work<'a, T, const N: usize> {
-    operator: &'a Operator<T, N>,
-    batch: Batch<'a, T>,
-    /// Its first cell.
-    begin: usize,
-    /// The unknowns of the cells without bubbles.
-    x: Vec<T>,
-    /// B̂ x, and (W ⊗ I) B̂ x.
-    y: Vec<T>,
-    z: Vec<T>,
-    /// The bubbles.
-    t: Vec<T>,
-}
-
-impl<'a, T: Number, const N: usize> Work<'a, T, N> {
-    fn new(operator: &'a Operator<T, N>) -> Self {
-        let [x, y, z, t] = Default::default();
-        Self {
-            operator,
-            batch: Batch::EMPTY,
-            begin: 0,
-            x,
-            y,
-            z,
-            t,
-        }
-    }
-
-    /// To another batch. What is computed is left over from the one before.
-    fn turn_to(&mut self, batch: usize) {
-        let (element, layout) = (self.operator.hhj.element(), self.operator.hhj.layout());
-        self.begin = batch * CELLS;
-        self.batch.turn_to(element, &self.operator.geometry, batch);
-        let (lanes, rows) = (self.batch.lanes, element.pairing.nrows());
-        self.x.resize(self.operator.outer() * lanes, T::ZERO);
-        self.y.resize(rows * lanes, T::ZERO);
-        self.z.resize(rows * lanes, T::ZERO);
-        self.t.resize(layout.bubbles * lanes, T::ZERO);
-    }
-
-    /// y = B̂ T x for the cells' part of a global x, without bubbles.
-    fn load(&mut self, global: &[T]) {
-        let (hhj, skeleton) = (&self.operator.hhj, &self.operator.skeleton);
-        let (element, lanes) = (hhj.element(), self.batch.lanes);
-        // On ∂Ω it is zero.
-        self.x.fill(T::ZERO);
-        for lane in 0..lanes {
-            let cell = self.begin + lane;
-            for block in &element.layout.blocks {
-                let from = skeleton.of_cell(block.k, cell, block.place);
-                let first = (block.start - element.layout.bubbles) * lanes + lane;
-                let rows = self.x[first..].iter_mut().step_by(lanes);
-                for (x, from) in rows.zip(&global[from]) {
-                    *x = *from;
-                }
-            }
-        }
-        self.batch.shift(element, &mut self.x);
-        let pairing = self.operator.outer_pairing();
-        multiply(&mut self.y, &self.x, lanes, pairing.transpose());
-    }
-
-    /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y); `f` by places.
-    fn bend(&mut self, f: &dyn Fn(usize) -> T) {
-        let operator = self.operator;
-        let (element, lanes) = (operator.hhj.element(), self.batch.lanes);
-        let (pairs, size, bubbles) = (
-            element.pairs.len(),
-            element.moments.len(),
-            element.layout.bubbles,
-        );
-        self.batch.weigh(pairs, size, &self.y, &mut self.z);
-        if bubbles == 0 {
-            return;
-        }
-        let t = &mut self.t;
-        for lane in 0..lanes {
-            for (i, place) in operator.skeleton.bubbles(self.begin + lane).enumerate() {
-                t[i * lanes + lane] = f(place);
-            }
-        }
-        for i in 0..bubbles {
-            for r in 0..pairs * size {
-                let b = operator.pairing[(r, i)];
-                for (t, z) in row_mut(t, i, lanes).iter_mut().zip(row(&self.z, r, lanes)) {
-                    *t -= b * *z;
-                }
-            }
-        }
-        self.batch.solve_bubbles(&operator.gram, t);
-        for i in 0..bubbles {
-            for r in 0..pairs * size {
-                let b = operator.pairing[(r, i)];
-                for (y, t) in row_mut(&mut self.y, r, lanes)
-                    .iter_mut()
-                    .zip(row(t, i, lanes))
-                {
-                    *y += b * *t;
-                }
-            }
-        }
-        self.batch.weigh(pairs, size, &self.y, &mut self.z);
-    }
-
-    /// Tᵀ B̂ᵀ z without the bubbles' rows.
-    fn unload(&mut self, out: &mut [T]) {
-        let (element, lanes) = (self.operator.hhj.element(), self.batch.lanes);
-        multiply(out, &self.z, lanes, self.operator.outer_pairing());
-        self.batch.shift_back(element, out);
-    }
-}
-
-/// c = a b for rows of lanes: the rows of c and a are columns here.
-fn multiply<T: Number>(c: &mut [T], a: &[T], lanes: usize, b: MatRef<'_, T>) {
-    let c = MatMut::from_column_major_slice_mut(c, lanes, b.ncols());
-    let a = MatRef::from_column_major_slice(a, lanes, b.nrows());
-    matmul(c, Accum::Replace, a, b, T::ONE, Par::Seq);
-}
-
-fn as_mat<T>(a: &DMatrix<T>) -> MatRef<'_, T> {
-    MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
 }

@@ -1,5 +1,7 @@
 //! Small symmetric matrices as their lower triangles, row after row.
 
+use super::number::Number;
+
 /// Where entry (a, b), b ≤ a, is.
 #[inline]
 pub(super) fn lower(a: usize, b: usize) -> usize {
@@ -12,11 +14,11 @@ pub(super) fn packed(n: usize) -> usize {
 }
 
 /// z = A r.
-pub(super) fn multiply(a: &[f32], r: &[f32], z: &mut [f32]) {
+pub(super) fn multiply<T: Number>(a: &[T], r: &[T], z: &mut [T]) {
     let mut next = 0;
     for i in 0..r.len() {
         // Row i is the first to see z_i.
-        let mut sum = 0.0;
+        let mut sum = T::ZERO;
         for j in 0..i {
             let a = a[next + j];
             sum += a * r[j];
@@ -28,7 +30,7 @@ pub(super) fn multiply(a: &[f32], r: &[f32], z: &mut [f32]) {
 }
 
 /// A⁻¹ = L⁻ᵀ L⁻¹ of n rows; not finite where A is not positive definite.
-pub(super) fn invert(n: usize, a: &[f64], inverse: &mut [f32]) {
+pub(super) fn invert<T: Number>(n: usize, a: &[f64], inverse: &mut [T]) {
     let (at, mut l) = (lower, a.to_vec());
     for j in 0..n {
         let square: f64 = (0..j).map(|k| l[at(j, k)] * l[at(j, k)]).sum();
@@ -49,7 +51,7 @@ pub(super) fn invert(n: usize, a: &[f64], inverse: &mut [f32]) {
     for i in 0..n {
         for j in 0..=i {
             let sum: f64 = (i..n).map(|k| l[at(k, i)] * l[at(k, j)]).sum();
-            inverse[at(i, j)] = sum as f32;
+            inverse[at(i, j)] = T::of(sum);
         }
     }
 }

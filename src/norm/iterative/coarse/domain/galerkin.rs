@@ -13,7 +13,6 @@ use super::inside::Boxes;
 use super::level::{Kind, Level};
 use super::rows::{Plane, from_site};
 use crate::linalg::Vector;
-use crate::mesh::Mesh;
 use crate::norm::hhj::cell::root;
 use crate::parallel::for_chunks;
 use faer::linalg::matmul::matmul;
@@ -21,13 +20,8 @@ use faer::{Accum, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
 
 /// A cell whose mean ratio is below is flat. The largest eigenvalue with and without their form, by conjugate gradients on balls of
-/// 17 000 tetrahedra: 1.2 and 1.7 where the least mean ratio is 0.18 (p = 3), 1.04 and 34 (p = 3), 1.3 and 95 (p = 4) at 0.05.
+/// 17 000 tetrahedra: 1.2 and 1.7 where the least mean ratio is 0.20 (p = 3); 1.04 and 34 (p = 3), 1.3 and 95 (p = 4) where it is 0.05.
 const FLAT: f64 = 0.3;
-
-/// Is a cell flat? Not where there are no points.
-pub(in crate::norm) fn is_flat<const N: usize>(mesh: &Mesh<N>, cell: usize) -> bool {
-    mesh.mean_ratio(cell).is_some_and(|ratio| ratio < FLAT)
-}
 
 /// What the finest level is made from.
 struct Finest<'a, const N: usize> {
@@ -86,8 +80,9 @@ pub(super) fn planes<const N: usize>(
 
 impl<const N: usize> Finest<'_, N> {
     fn is_flat(&self, cell: u32) -> bool {
-        let cell = self.transfer.skeleton.order.cells[cell as usize];
-        is_flat(self.transfer.hhj.mesh(), cell as usize)
+        let Transfer { hhj, skeleton, .. } = self.transfer;
+        let of_mesh = skeleton.order.cells[cell as usize] as usize;
+        hhj.mesh().mean_ratio(of_mesh).expect("a mesh with points") < FLAT
     }
 
     /// Are all vertices of a cell in boxes inside?

@@ -1,0 +1,186 @@
+//! Some cells' part of the operator: what is done with a batch, step by step.
+
+use super::batch::{Batch, CELLS, Geometry, row, row_mut};
+use super::number::Number;
+use super::skeleton::Skeleton;
+use crate::norm::hhj::Hhj;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
+use nalgebra::DMatrix;
+use std::sync::Arc;
+
+/// What the operator is made of on a cell.
+#[derive(Clone, Debug)]
+pub(super) struct Kernel<T, const N: usize> {
+    hhj: Arc<Hhj<N>>,
+    skeleton: Arc<Skeleton>,
+    /// B̂_aᵀ B̂_b + B̂_bᵀ B̂_a restricted to the bubbles, or half of it where a = b: row after row of the lower triangle.
+    gram: Vec<DMatrix<T>>,
+    /// B̂.
+    pairing: DMatrix<T>,
+    geometry: Geometry<T>,
+}
+
+impl<T: Number, const N: usize> Kernel<T, N> {
+    pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>) -> Self {
+        let element = hhj.element();
+        let (size, bubbles) = (element.moments.len(), element.layout.bubbles);
+        let block = |a: usize| element.pairing.view((a * size, 0), (size, bubbles));
+        let pairs = element.pairs.len();
+        let product = |a: usize, b: usize| -> DMatrix<f64> { block(a).transpose() * block(b) };
+        let entries = (0..pairs).flat_map(|a| (0..=a).map(move |b| (a, b)));
+        let gram = entries.map(|(a, b)| match a == b {
+            true => product(a, a),
+            false => product(a, b) + product(b, a),
+        });
+        let gram = gram.map(|gram| gram.map(T::of)).collect();
+        Self {
+            hhj: hhj.clone(),
+            skeleton: skeleton.clone(),
+            gram,
+            pairing: element.pairing.map(T::of),
+            geometry: Geometry::new(hhj, &skeleton.order.cells),
+        }
+    }
+
+    /// B̂ without the bubbles' columns.
+    fn outer_pairing(&self) -> MatRef<'_, T> {
+        as_mat(&self.pairing).subcols(self.hhj.layout().bubbles, self.outer())
+    }
+
+    /// How many of a cell's unknowns are not bubbles.
+    pub fn outer(&self) -> usize {
+        self.hhj.layout().len - self.hhj.layout().bubbles
+    }
+}
+
+/// A batch at work, and after it the next.
+pub(super) struct Work<'a, T, const N: usize> {
+    kernel: &'a Kernel<T, N>,
+    batch: Batch<'a, T>,
+    /// Its first cell.
+    begin: usize,
+    /// The unknowns of the cells without bubbles.
+    x: Vec<T>,
+    /// B̂ x, and (W ⊗ I) B̂ x.
+    pub y: Vec<T>,
+    z: Vec<T>,
+    /// The bubbles.
+    pub t: Vec<T>,
+}
+
+impl<'a, T: Number, const N: usize> Work<'a, T, N> {
+    pub fn new(kernel: &'a Kernel<T, N>) -> Self {
+        let [x, y, z, t] = Default::default();
+        Self {
+            kernel,
+            batch: Batch::EMPTY,
+            begin: 0,
+            x,
+            y,
+            z,
+            t,
+        }
+    }
+
+    /// To another batch. What is computed is left over from the one before.
+    pub fn turn_to(&mut self, batch: usize) {
+        let (element, layout) = (self.kernel.hhj.element(), self.kernel.hhj.layout());
+        self.begin = batch * CELLS;
+        self.batch.turn_to(element, &self.kernel.geometry, batch);
+        let (lanes, rows) = (self.batch.lanes, element.pairing.nrows());
+        self.x.resize(self.kernel.outer() * lanes, T::ZERO);
+        self.y.resize(rows * lanes, T::ZERO);
+        self.z.resize(rows * lanes, T::ZERO);
+        self.t.resize(layout.bubbles * lanes, T::ZERO);
+    }
+
+    /// The cells' part of S x.
+    pub fn image<S: Number>(&mut self, x: &[S], out: &mut [T]) {
+        self.load(x);
+        self.bend(&|_| T::ZERO);
+        self.unload(out);
+    }
+
+    /// y = B̂ T x for the cells' part of a global x, without bubbles.
+    pub fn load<S: Number>(&mut self, global: &[S]) {
+        let (hhj, skeleton) = (&self.kernel.hhj, &self.kernel.skeleton);
+        let (element, lanes) = (hhj.element(), self.batch.lanes);
+        // On ∂Ω it is zero.
+        self.x.fill(T::ZERO);
+        for lane in 0..lanes {
+            let cell = self.begin + lane;
+            for block in &element.layout.blocks {
+                let from = skeleton.of_cell(block.k, cell, block.place);
+                let first = (block.start - element.layout.bubbles) * lanes + lane;
+                let rows = self.x[first..].iter_mut().step_by(lanes);
+                for (x, from) in rows.zip(&global[from]) {
+                    *x = T::of(from.double());
+                }
+            }
+        }
+        self.batch.shift(element, &mut self.x);
+        let pairing = self.kernel.outer_pairing();
+        multiply(&mut self.y, &self.x, lanes, pairing.transpose());
+    }
+
+    /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y); `f` by places.
+    pub fn bend(&mut self, f: &dyn Fn(usize) -> T) {
+        let kernel = self.kernel;
+        let (element, lanes) = (kernel.hhj.element(), self.batch.lanes);
+        let (pairs, size, bubbles) = (
+            element.pairs.len(),
+            element.moments.len(),
+            element.layout.bubbles,
+        );
+        self.batch.weigh(pairs, size, &self.y, &mut self.z);
+        if bubbles == 0 {
+            return;
+        }
+        let t = &mut self.t;
+        for lane in 0..lanes {
+            for (i, place) in kernel.skeleton.bubbles(self.begin + lane).enumerate() {
+                t[i * lanes + lane] = f(place);
+            }
+        }
+        for i in 0..bubbles {
+            for r in 0..pairs * size {
+                let b = kernel.pairing[(r, i)];
+                for (t, z) in row_mut(t, i, lanes).iter_mut().zip(row(&self.z, r, lanes)) {
+                    *t -= b * *z;
+                }
+            }
+        }
+        self.batch.solve_bubbles(&kernel.gram, t);
+        for i in 0..bubbles {
+            for r in 0..pairs * size {
+                let b = kernel.pairing[(r, i)];
+                for (y, t) in row_mut(&mut self.y, r, lanes)
+                    .iter_mut()
+                    .zip(row(t, i, lanes))
+                {
+                    *y += b * *t;
+                }
+            }
+        }
+        self.batch.weigh(pairs, size, &self.y, &mut self.z);
+    }
+
+    /// Tᵀ B̂ᵀ z without the bubbles' rows.
+    pub fn unload(&mut self, out: &mut [T]) {
+        let (element, lanes) = (self.kernel.hhj.element(), self.batch.lanes);
+        multiply(out, &self.z, lanes, self.kernel.outer_pairing());
+        self.batch.shift_back(element, out);
+    }
+}
+
+/// c = a b for rows of lanes: the rows of c and a are columns here.
+fn multiply<T: Number>(c: &mut [T], a: &[T], lanes: usize, b: MatRef<'_, T>) {
+    let c = MatMut::from_column_major_slice_mut(c, lanes, b.ncols());
+    let a = MatRef::from_column_major_slice(a, lanes, b.nrows());
+    matmul(c, Accum::Replace, a, b, T::ONE, Par::Seq);
+}
+
+fn as_mat<T>(a: &DMatrix<T>) -> MatRef<'_, T> {
+    MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
+}
