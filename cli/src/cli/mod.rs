@@ -89,15 +89,21 @@ fn run(Cli { command, common }: Cli) -> Result<(), Stop> {
     match command {
         Command::Reproduce(args) => args.run(&common),
         Command::Converge(args) => args.run(&common),
-        Command::Curvature(args) => args.run(&common),
-        Command::Einstein(args) => args.run(&common),
-        Command::Action(args) => args.run(&common),
+        Command::Curvature(args) => in_the_pool(|| args.run(&common)),
+        Command::Einstein(args) => in_the_pool(|| args.run(&common)),
+        Command::Action(args) => in_the_pool(|| args.run(&common)),
         #[cfg(feature = "shell")]
         Command::Completions(args) => args.run(<Cli as clap::CommandFactory>::command()),
         #[cfg(feature = "shell")]
         Command::Man(args) => args.run(<Cli as clap::CommandFactory>::command()),
         Command::Verify { arguments } => Err(elsewhere(&arguments)),
     }
+}
+
+/// Runs a command on one of the threads that compute: it hands work to the others without being sent to sleep and woken each time,
+/// thousands of times where an equation is solved. (Studies have threads of their own, one a case.)
+fn in_the_pool(run: impl FnOnce() -> Result<(), Stop> + Send) -> Result<(), Stop> {
+    rayon::scope(|_| run())
 }
 
 /// The catalogue of claims takes minutes to compile, which the other commands are not to wait for.

@@ -5,7 +5,6 @@
 //! that do not depend on the mesh's size, and has stored rows near ∂Ω and flat cells only.
 
 use super::super::patch::Patch;
-use super::super::slabs::Slabs;
 use super::super::stencil::Short;
 use super::super::transfer::Transfer;
 use super::energy::Energy;
@@ -167,33 +166,44 @@ impl<const N: usize> Finest<'_, N> {
         });
     }
 
-    /// Adds what the cells near ∂Ω and the flat ones have.
+    /// Adds what the cells near ∂Ω and the flat ones have: some forms at a time, and these plane by plane.
     fn add_cells(&self, planes: &mut [Plane<N>]) {
-        let span = |&cell: &u32| {
-            let reached = self.transfer.reached(&self.corners(cell));
-            (cell, reached.low[N - 1], reached.high[N - 1])
-        };
-        let whole = Patch::whole(&self.transfer.grid.sides);
-        let unit = self.transfer.grid.plane();
-        let slabs = Slabs::new(planes.len(), self.near.iter().map(span).collect());
-        slabs.add_up(planes, 1, |cells, planes, first| {
-            for &cell in cells {
-                let (patch, form) = self.of_cell(cell);
-                for (site, form) in patch.sites().zip(form.chunks_exact(patch.len())) {
-                    let plane = &mut planes[site[N - 1] - first];
-                    let at = whole.position(&site) % unit;
-                    let row = *plane.row(at).expect("what such cells reach is stored");
-                    row.add(&site, &patch, form, &mut plane.values, |x: Short| x);
+        let mut forms: Vec<CellForm<N>> = Vec::new();
+        forms.resize_with(AT_ONCE.min(self.near.len()), CellForm::default);
+        for cells in self.near.chunks(AT_ONCE) {
+            let forms = &mut forms[..cells.len()];
+            for_chunks(forms, 1, |i, form| self.make(cells[i], &mut form[0]));
+            let forms = &*forms;
+            for_chunks(planes, 1, |at, plane| {
+                for form in forms {
+                    self.add_cell(form, at, &mut plane[0]);
                 }
-            }
-        });
+            });
+        }
+    }
+
+    /// Adds what a cell has for the rows of a plane.
+    fn add_cell(&self, CellForm { patch, form }: &CellForm<N>, at: usize, plane: &mut Plane<N>) {
+        let mut part = *patch;
+        (part.low[N - 1], part.high[N - 1]) = (at, at + 1);
+        if !(patch.low[N - 1]..patch.high[N - 1]).contains(&at) {
+            return;
+        }
+        let grid = &self.transfer.grid;
+        let (whole, unit) = (Patch::whole(&grid.sides), grid.plane());
+        for site in part.sites() {
+            let row = plane.row(whole.position(&site) % unit);
+            let row = *row.expect("what such cells reach is stored");
+            let numbers = &form[patch.position(&site) * patch.len()..][..patch.len()];
+            row.add(&site, patch, numbers, &mut plane.values, |x: Short| x);
+        }
     }
 
     /// The form of the splines that reach a cell.
-    fn of_cell(&self, cell: u32) -> (Patch<N>, Vec<Short>) {
+    fn make(&self, cell: u32, to: &mut CellForm<N>) {
         let Transfer { hhj, skeleton, .. } = self.transfer;
-        let patch = self.transfer.reached(&self.corners(cell));
-        let (layout, splines) = (hhj.layout(), patch.len());
+        to.patch = self.transfer.reached(&self.corners(cell));
+        let (layout, splines) = (hhj.layout(), to.patch.len());
         let cell = cell as usize;
         let energy = hhj.condensed(skeleton.order.cells[cell] as usize);
         let root = root(&energy, layout.bubbles, hhj.element().rank());
@@ -203,23 +213,42 @@ impl<const N: usize> Finest<'_, N> {
             if let Some(simplex) = simplex.filter(|_| block.width > 0) {
                 let begin = (block.start - layout.bubbles) * splines;
                 let rows = &mut rows[begin..begin + skeleton.widths[block.k] * splines];
-                self.transfer.rows(block.k, simplex, &patch, rows);
+                self.transfer.rows(block.k, simplex, &to.patch, rows);
             }
         }
-        (patch, gram(&root.map(|x| x as Short), &rows, splines))
+        gram(&root.map(|x| x as Short), &rows, splines, &mut to.form);
     }
 }
+
+/// The form of the splines that reach a cell: row i has the numbers from i on.
+struct CellForm<const N: usize> {
+    patch: Patch<N>,
+    form: Vec<Short>,
+}
+
+impl<const N: usize> Default for CellForm<N> {
+    fn default() -> Self {
+        Self {
+            patch: Patch::EMPTY,
+            form: Vec::new(),
+        }
+    }
+}
+
+/// How many cells' forms are there at a time: enough for some threads, and in all half a megabyte each (p = 4).
+const AT_ONCE: usize = 32;
 
 /// In how many strips a form is made: with four, 5/8 of a square are computed for the half that is wanted.
 const STRIPS: usize = 4;
 
-/// (R P)ᵀ R P from the rows of P: row i holds the entries from i on, and some before.
-fn gram(root: &DMatrix<Short>, rows: &[Short], columns: usize) -> Vec<Short> {
+/// (R P)ᵀ R P from the rows of P: row i holds the entries from i on, and others before.
+fn gram(root: &DMatrix<Short>, rows: &[Short], columns: usize, form: &mut Vec<Short>) {
     let (rank, outer) = root.shape();
     let root = MatRef::from_column_major_slice(root.as_slice(), rank, outer);
     // Row-major P is column-major Pᵀ.
     let transposed = MatRef::from_column_major_slice(rows, columns, outer);
-    let (mut product, mut form) = (vec![0.0; columns * rank], vec![0.0; columns * columns]);
+    let mut product = vec![0.0; columns * rank];
+    form.resize(columns * columns, 0.0);
     let half = MatMut::from_column_major_slice_mut(&mut product, columns, rank);
     matmul(
         half,
@@ -243,5 +272,4 @@ fn gram(root: &DMatrix<Short>, rows: &[Short], columns: usize) -> Vec<Short> {
             Par::Seq,
         );
     }
-    form
 }
