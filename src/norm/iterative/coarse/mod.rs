@@ -61,7 +61,7 @@ impl<const N: usize> Coarse<N> {
     /// Measured: on the cube a third step saves next to nothing. Cells from elsewhere differ in size and shape, and their lattice is
     /// coarser: on a ball of 24 334 tetrahedra, p = 3, five, six, seven and eight steps take 23, 19, 16 and 15 iterations, and eight the
     /// least time. In the plane two take as many iterations as three on triangles by Gmsh. On triangles of a moved lattice, which
-    /// are half as high for their size, two take 74 where six take 27, and a third longer.
+    /// are half as high for their size, two take 40 where four take 22, and about as long.
     pub fn smoothing(&self) -> usize {
         match self.inverse {
             Inverse::Domain(_) if N == 3 => 8,
