@@ -38,25 +38,6 @@ pub(super) fn memory(cells: usize, outer: usize) -> f64 {
     (cells / ONE_IN * packed(outer) * size_of::<f64>()) as f64
 }
 
-impl Share {
-    pub fn add(self, blocks: &mut [Vec<f64>]) {
-        for (at, x) in self.entries {
-            blocks[self.closure][at] += x;
-        }
-    }
-}
-
-/// The inverse blocks of some cells.
-#[derive(Clone, Debug)]
-pub(super) struct Closures(Vec<Closure>);
-
-/// The unknowns of a cell's interior simplices, and their block's inverse: in double precision, for it is small and large.
-#[derive(Clone, Debug)]
-struct Closure {
-    unknowns: Vec<usize>,
-    inverse: Vec<f64>,
-}
-
 /// Which cells have blocks, and which cells have a share in them.
 pub(super) struct Plan {
     cells: Vec<usize>,
@@ -70,6 +51,14 @@ pub(super) struct Share {
     closure: usize,
     /// Where in the lower triangle, and what.
     entries: Vec<(usize, f64)>,
+}
+
+impl Share {
+    pub fn add(self, blocks: &mut [Vec<f64>]) {
+        for (at, x) in self.entries {
+            blocks[self.closure][at] += x;
+        }
+    }
 }
 
 impl Plan {
@@ -169,6 +158,17 @@ impl Plan {
         };
         Ok(Closures(closures.map(closure).collect::<Result<_, _>>()?))
     }
+}
+
+/// The inverse blocks of some cells.
+#[derive(Clone, Debug)]
+pub(super) struct Closures(Vec<Closure>);
+
+/// The unknowns of a cell's interior simplices, and their block's inverse: in double precision, for it is small and large.
+#[derive(Clone, Debug)]
+struct Closure {
+    unknowns: Vec<usize>,
+    inverse: Vec<f64>,
 }
 
 impl Closures {

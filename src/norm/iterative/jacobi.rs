@@ -6,7 +6,9 @@ use super::skeleton::Skeleton;
 use crate::Error;
 use crate::mesh::Mesh;
 use crate::norm::hhj::Hhj;
+use crate::norm::hhj::layout::Layout;
 use crate::parallel::{for_chunks, in_order};
+use nalgebra::DMatrix;
 use std::sync::Arc;
 
 /// A_ss⁻¹ for each interior simplex s, and for the [`Closures`] of bad cells in place of their simplices. Single precision is
@@ -77,40 +79,50 @@ struct Diagonal {
 impl Diagonal {
     fn new<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton, plan: &Plan) -> Self {
         let (layout, order) = (hhj.layout(), &skeleton.order);
-        let sizes: Vec<usize> = skeleton.widths.iter().map(|&w| packed(w)).collect();
-        let zeros = |k: usize| vec![0.0; sizes[k] * order.layers[k].free];
+        let zeros = |k: usize| vec![0.0; packed(skeleton.widths[k]) * order.layers[k].free];
         let mut sums = Self {
             simplices: (0..N).map(zeros).collect(),
             closures: plan.zeros(),
         };
         let blocks = |cell: usize| {
             let energy = hhj.condensed(order.cells[cell] as usize);
-            let mut packed = Vec::new();
-            for block in &layout.blocks {
-                for i in 0..block.width {
-                    packed.extend((0..=i).map(|j| energy[(block.start + i, block.start + j)]));
-                }
-            }
-            (packed, plan.shares(hhj, skeleton, cell, &energy))
+            let shares = plan.shares(hhj, skeleton, cell, &energy);
+            (diagonal_blocks(layout, &energy), shares)
         };
-        in_order(order.cells.len(), blocks, |cell, (packed, shares)| {
-            let mut from = packed.as_slice();
-            for block in &layout.blocks {
-                let (here, rest) = from.split_at(sizes[block.k]);
-                from = rest;
-                if let Some(simplex) = order.layers[block.k].free_of_cell(cell, block.place) {
-                    let to = &mut sums.simplices[block.k][simplex * here.len()..];
-                    for (to, a) in to.iter_mut().zip(here) {
-                        *to += a;
-                    }
-                }
-            }
+        in_order(order.cells.len(), blocks, |cell, (blocks, shares)| {
+            sums.add(layout, skeleton, cell, &blocks);
             for share in shares {
                 share.add(&mut sums.closures);
             }
         });
         sums
     }
+
+    /// Adds a cell's blocks to those of its interior simplices.
+    fn add(&mut self, layout: &Layout, skeleton: &Skeleton, cell: usize, mut blocks: &[f64]) {
+        for block in &layout.blocks {
+            let (here, rest) = blocks.split_at(packed(block.width));
+            blocks = rest;
+            let layer = &skeleton.order.layers[block.k];
+            if let Some(simplex) = layer.free_of_cell(cell, block.place) {
+                let to = &mut self.simplices[block.k][simplex * here.len()..];
+                for (to, a) in to.iter_mut().zip(here) {
+                    *to += a;
+                }
+            }
+        }
+    }
+}
+
+/// The lower triangles of a cell's blocks, one after the other.
+fn diagonal_blocks(layout: &Layout, energy: &DMatrix<f64>) -> Vec<f64> {
+    let mut packed = Vec::new();
+    for block in &layout.blocks {
+        for i in 0..block.width {
+            packed.extend((0..=i).map(|j| energy[(block.start + i, block.start + j)]));
+        }
+    }
+    packed
 }
 
 /// The inverses of the k-simplices' blocks.

@@ -235,7 +235,7 @@ impl<const N: usize> Default for CellForm<N> {
     }
 }
 
-/// How many cells' forms are there at a time: enough for some threads, and in all half a megabyte each (p = 4).
+/// How many cells' forms are there at a time: enough for some threads, and at p = 4 half a megabyte each.
 const AT_ONCE: usize = 32;
 
 /// In how many strips a form is made: with four, 5/8 of a square are computed for the half that is wanted.
