@@ -19,8 +19,9 @@ impl<const N: usize> Mesh<N> {
         size
     }
 
-    /// A cell's shape, if there are coordinates: N |det A|^(2/N) / |A|², where A takes a regular simplex to the cell. 1 for a regular
-    /// cell, 0 for a flat one; N = 3: 12 (3 volume)^(2/3) by the sum of the squared edge lengths.
+    /// A cell's shape, if there are coordinates: N |det A|^(2/N) / |A|² with Frobenius' norm, where A takes a regular simplex to the cell.
+    /// 1 for a regular cell, 0 for a flat one, whatever the size and orientation; N = 3: 12 (3 volume)^(2/3) by the sum of the
+    /// squared edge lengths.
     ///
     /// Source: A. Liu and B. Joe, Relationship between tetrahedron shape measures, BIT 34 (1994): the mean ratio.
     pub fn mean_ratio(&self, cell: usize) -> Option<f64> {
@@ -44,7 +45,8 @@ mod tests {
         Mesh::new(points, &[(0..=N).collect()]).unwrap()
     }
 
-    /// 1 for regular cells, by the edges and the volume for others, and the same for a cell of any size.
+    /// 1 for regular cells, by the edges and the volume for others, and the same for a cell of any size, up to rounding: that of the
+    /// regular ones is a few units, that of the others is multiplied by the condition of their Gram matrix, some 10².
     #[test]
     fn mean_ratios() {
         let equilateral = one([[0.0, 0.0], [2.0, 0.0], [1.0, 3_f64.sqrt()]].as_slice());

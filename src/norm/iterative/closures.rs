@@ -22,13 +22,11 @@ const BAD: f64 = 0.45;
 const ONE_IN: usize = 20;
 
 /// The worst cells, by their places in the solver's order, ascending.
-pub(super) fn bad_cells<const N: usize>(mesh: &Mesh<N>, skeleton: &Skeleton) -> Vec<usize> {
-    let cells = &skeleton.order.cells;
-    let ratio = |cell: usize| mesh.mean_ratio(cells[cell] as usize);
-    let ratios = collect(cells.len(), |cell| ratio(cell).expect("a mesh with points"));
-    let mut bad: Vec<usize> = (0..cells.len()).filter(|&c| ratios[c] < BAD).collect();
+pub(super) fn bad_cells(skeleton: &Skeleton) -> Vec<usize> {
+    let ratios = &skeleton.order.ratios;
+    let mut bad: Vec<usize> = (0..ratios.len()).filter(|&c| ratios[c] < BAD).collect();
     bad.sort_by(|&a, &b| ratios[a].total_cmp(&ratios[b]));
-    bad.truncate(cells.len() / ONE_IN);
+    bad.truncate(ratios.len() / ONE_IN);
     bad.sort_unstable();
     bad
 }

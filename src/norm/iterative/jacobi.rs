@@ -29,7 +29,7 @@ impl BlockJacobi {
     /// If rounding makes a block indefinite (cells that are all but flat).
     pub fn new<const N: usize>(hhj: &Hhj<N>, skeleton: &Arc<Skeleton>) -> Result<Self, Error> {
         let mesh = hhj.mesh();
-        let plan = Plan::new(hhj, skeleton, bad_cells(mesh, skeleton));
+        let plan = Plan::new(hhj, skeleton, bad_cells(skeleton));
         let diagonal = Diagonal::new(hhj, skeleton, &plan);
         let mut inverses = Vec::new();
         for (k, sums) in diagonal.simplices.into_iter().enumerate() {

@@ -8,7 +8,7 @@
 use super::batch::CELLS;
 use super::kernel::Work;
 use super::operator::Operator;
-use crate::parallel::{collect, for_chunks_in};
+use crate::parallel::for_chunks_in;
 use std::sync::Arc;
 
 /// Where a cell's mean ratio is below, its batch is computed in double precision. At 0.153 single precision takes as many steps.
@@ -26,17 +26,12 @@ pub(super) struct Mixed<const N: usize> {
 impl<const N: usize> Mixed<N> {
     /// In double precision it is this one.
     pub fn new(double: &Arc<Operator<f64, N>>) -> Self {
-        let (mesh, cells) = (double.hhj.mesh(), &double.skeleton.order.cells);
-        let ratio = |i: usize| mesh.mean_ratio(cells[i] as usize);
-        let is_flat = |i| ratio(i).expect("a mesh with points") < DOUBLE;
-        let flat = collect(cells.len(), is_flat);
+        let batches = double.skeleton.order.ratios.chunks(CELLS);
+        let is_flat = |batch: &[f64]| batch.iter().any(|&ratio| ratio < DOUBLE);
         Self {
             single: Operator::new(&double.hhj, &double.skeleton),
             double: double.clone(),
-            flat: flat
-                .chunks(CELLS)
-                .map(|batch| batch.contains(&true))
-                .collect(),
+            flat: batches.map(is_flat).collect(),
         }
     }
 

@@ -10,6 +10,8 @@ use crate::parallel::{collect, sort};
 pub(super) struct Order {
     /// The mesh's numbers of the cells.
     pub cells: Vec<u32>,
+    /// The cells' shapes, see [`Mesh::mean_ratio`].
+    pub ratios: Vec<f64>,
     /// By dimension k < N.
     pub layers: Vec<Layer>,
 }
@@ -35,7 +37,13 @@ impl Order {
     pub fn new<const N: usize>(mesh: &Mesh<N>) -> Self {
         let cells = along_curve(mesh);
         let layers = (0..N).map(|k| Layer::new(mesh, k, &cells)).collect();
-        Self { cells, layers }
+        let ratio = |cell: usize| mesh.mean_ratio(cells[cell] as usize);
+        let ratios = collect(cells.len(), |cell| ratio(cell).expect("a mesh with points"));
+        Self {
+            cells,
+            ratios,
+            layers,
+        }
     }
 }
 

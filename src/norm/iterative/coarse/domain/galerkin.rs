@@ -46,7 +46,9 @@ pub(super) fn finest<const N: usize>(transfer: &Transfer<N>) -> Level<N> {
     };
     let cells = 0..transfer.skeleton.order.cells.len();
     finest.near = (cells.map(|cell| cell as u32))
-        .filter(|&cell| finest.is_flat(cell) || !finest.covered(cell))
+        .filter(|&cell| {
+            transfer.skeleton.order.ratios[cell as usize] < FLAT || !finest.covered(cell)
+        })
         .collect();
     let (kinds, patches) = finest.classify();
     let mut planes = planes(&transfer.grid.sides, &kinds, &patches);
@@ -78,12 +80,6 @@ pub(super) fn planes<const N: usize>(
 }
 
 impl<const N: usize> Finest<'_, N> {
-    fn is_flat(&self, cell: u32) -> bool {
-        let Transfer { hhj, skeleton, .. } = self.transfer;
-        let of_mesh = skeleton.order.cells[cell as usize] as usize;
-        hhj.mesh().mean_ratio(of_mesh).expect("a mesh with points") < FLAT
-    }
-
     /// Are all vertices of a cell in boxes inside?
     fn covered(&self, cell: u32) -> bool {
         let corners = self.corners(cell);

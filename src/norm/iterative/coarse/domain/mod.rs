@@ -19,13 +19,14 @@ use crate::parallel::collect;
 use level::{Kind, Level};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-/// How many steps smooth the splines of a lattice that is so many times coarser than the finest by two: twice as many on the next, as
-/// long as rounding does not see it. They cost little there, and a cycle with more steps on coarser lattices does not get worse with
+/// How many steps smooth the splines of the lattice after `depth` halvings of the finest: twice as many on each as on the one before, up
+/// to the eight of which it is known that rounding does not see them (`smoother.rs`). They cost little there, and a cycle with more steps on coarser lattices does not get worse with
 /// their number: on a disc with holes of 995 072 triangles, p = 3, three steps on all seven lattices take 19 iterations, eight on the
 /// coarser ones 12, where there are 11 on 124 977 triangles.
 fn steps(depth: usize) -> usize {
     [3, 6].get(depth).copied().unwrap_or(8)
 }
+
 /// With so many splines a lattice is solved on by a dense factor.
 const FEW: usize = 600;
 /// What is added to the factor's diagonal of ones: splines that differ only outside the mesh are all but the same there, and
