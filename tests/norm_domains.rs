@@ -99,10 +99,10 @@ fn flat_cells() {
 }
 
 /// Measured: 15 and 15, 34 and 34, 166 and 188 iterations. By the simplices' blocks alone, all in single precision, they are 58 on both
-/// meshes, then 125 and more than 1000.
+/// meshes, then 125 and more than 1000; without the flat cells' form on the splines the last is 242.
 #[test]
 fn steps_on_flat_cells_do_not_grow() {
-    for (part, most) in [(0.1, 20), (0.02, 45), (1e-3, 240)] {
+    for (part, most) in [(0.1, 20), (0.02, 45), (1e-3, 215)] {
         for side in [4, 6] {
             let steps = steps(&slivers(side, part), 3);
             assert!(steps <= most, "{side}, {part}: {steps}");
