@@ -77,7 +77,7 @@ impl<const N: usize> Riesz<N> {
         }
         let space = Lagrange::new(mesh, setting.degree);
         let kept = Kept::new(space.len(), |dof| space.vanishes_on_boundary(dof));
-        let matrix = assemble(energy, setting, &space, &kept);
+        let matrix = assemble(energy, setting, &space, &kept)?;
         let factor = match kept.is_empty() {
             true => None,
             false => Some(Box::new(Factor::new(&matrix, Order::MinimumDegree)?)),
@@ -118,7 +118,7 @@ fn assemble<const N: usize>(
     setting: &Setting<'_, N>,
     space: &Lagrange<N>,
     kept: &Kept,
-) -> Upper {
+) -> Result<Upper, Error> {
     let mesh = setting.mesh;
     let metric = setting.metric.filter(|_| energy == Energy::Dirichlet);
     // Exact where g is constant; a metric has the order of functions of degree p + 2 in addition.
@@ -142,11 +142,11 @@ fn assemble<const N: usize>(
         sum
     };
     let blocks = |cell: usize| kept.blocks(space.cell_dofs(cell));
-    let mut matrix = kept.matrix(mesh.cell_count(), &blocks);
+    let mut matrix = kept.matrix(mesh.cell_count(), &blocks)?;
     in_order(mesh.cell_count(), on_cell, |cell, local| {
         matrix.add(&blocks(cell), &local)
     });
-    matrix
+    Ok(matrix)
 }
 
 /// Adds weight (⟨dv_i, dv_j⟩ + c ⟨∂²v_i, ∂²v_j⟩) ω to the lower triangle, in the metric g.

@@ -113,7 +113,7 @@ fn factorised<const N: usize, G: TensorField<N, Scalar = f64>>(
     let factor = match kept.is_empty() {
         true => None,
         false => {
-            let mass = mass::<G::Wide, G, N>(g, space, &kept, rule);
+            let mass = mass::<G::Wide, G, N>(g, space, &kept, rule)?;
             Some(Box::new(Factor::new(&mass, Order::MinimumDegree)?))
         }
     };
@@ -126,10 +126,10 @@ fn mass<T: Real<Sum = f64>, G: Evaluate<T, N>, const N: usize>(
     space: &Lagrange<N>,
     kept: &Kept,
     rule: &Rule,
-) -> Upper {
+) -> Result<Upper, Error> {
     let blocks = |cell: usize| kept.blocks(space.cell_dofs(cell));
     let cells = space.mesh().cell_count();
-    let mut mass = kept.matrix(cells, &blocks);
+    let mut mass = kept.matrix(cells, &blocks)?;
     let table = g.tabulate(rule.points());
     let basis = space.basis(N).tabulate::<T>(rule.points());
     let weights = rule.weight_blocks::<T>();
@@ -152,5 +152,5 @@ fn mass<T: Real<Sum = f64>, G: Evaluate<T, N>, const N: usize>(
     in_order(cells, on_cell, |cell, matrix| {
         mass.add(&blocks(cell), &matrix)
     });
-    mass
+    Ok(mass)
 }

@@ -1,18 +1,18 @@
 //! A sparse Cholesky factorisation by faer.
 
-use super::upper::Upper;
+use super::upper::{Upper, too_large};
 use crate::Error;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::linalg::cholesky::{
     LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
 /// U = Lᵀ with A = L Lᵀ.
 #[derive(Debug)]
 pub(crate) struct Factor {
-    symbolic: SymbolicCholesky<usize>,
+    symbolic: SymbolicCholesky<u32>,
     values: Vec<f64>,
 }
 
@@ -22,7 +22,7 @@ pub(crate) struct Factor {
 const LONG_COLUMN: usize = 400;
 
 /// The degree of parallelism depends on the matrix alone, since the order of the sums depends on it.
-fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
+fn parallelism(symbolic: &SymbolicCholesky<u32>) -> Par {
     match symbolic.len_val() / symbolic.nrows().max(1) < LONG_COLUMN {
         true => Par::Seq,
         false => in_parallel(),
@@ -64,7 +64,10 @@ impl Factor {
         let n = columns.len() - 1;
         let pattern = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
         let symbolic = factorize_symbolic_cholesky(pattern, Side::Upper, order, Default::default())
-            .map_err(|e| Error::Solver(format!("{n} unknowns: {e}")))?;
+            .map_err(|e| match e {
+                FaerError::IndexOverflow => too_large(n),
+                e => Error::Solver(format!("{n} unknowns: {e}")),
+            })?;
         // It is asked for first, since `vec!` aborts; and `vec!` writes no zeros over those that the system gives.
         let len = symbolic.len_val();
         if Vec::<f64>::new().try_reserve_exact(len).is_err() {

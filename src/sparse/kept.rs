@@ -1,6 +1,7 @@
 //! Unknowns that are kept, of all degrees of freedom of a space.
 
 use super::upper::{CellBlock, Upper};
+use crate::Error;
 
 /// No unknown.
 const NONE: usize = usize::MAX;
@@ -39,7 +40,14 @@ impl Kept {
     }
 
     /// A matrix of the unknowns, zero; `blocks` are those of a cell.
-    pub fn matrix(&self, cells: usize, blocks: &dyn Fn(usize) -> Vec<CellBlock>) -> Upper {
+    ///
+    /// # Errors
+    /// As [`Upper::new`].
+    pub fn matrix(
+        &self,
+        cells: usize,
+        blocks: &dyn Fn(usize) -> Vec<CellBlock>,
+    ) -> Result<Upper, Error> {
         Upper::new((0..=self.dofs.len()).collect(), cells, blocks)
     }
 

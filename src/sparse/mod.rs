@@ -5,6 +5,7 @@
 
 mod factor;
 mod kept;
+mod neighbours;
 mod upper;
 
 pub(crate) use factor::{Factor, Order, in_parallel};
