@@ -6,7 +6,7 @@ use num_dual::{
 };
 
 /// Has the machine that this is built for an instruction for a·b + c? Without it, to round once would be a call.
-const FUSED: bool = cfg!(any(target_feature = "fma", target_feature = "neon"));
+pub(crate) const FUSED: bool = cfg!(any(target_feature = "fma", target_feature = "neon"));
 
 /// The integers and quotients of a number of num-dual.
 macro_rules! integers {

@@ -17,6 +17,8 @@ mod interval;
 #[cfg(feature = "lanes")]
 mod lanes;
 
+#[cfg(feature = "norms")]
+pub(crate) use dual::FUSED;
 pub use interval::Interval;
 #[cfg(feature = "lanes")]
 pub use lanes::Lanes;

@@ -1,6 +1,7 @@
 //! Unknowns that are kept, of all degrees of freedom of a space.
 
-use super::upper::{CellBlock, Upper};
+use super::neighbours::CellBlock;
+use super::upper::Upper;
 use crate::Error;
 
 /// No unknown.

@@ -10,4 +10,5 @@ mod upper;
 
 pub(crate) use factor::{Factor, Order, in_parallel};
 pub(crate) use kept::Kept;
-pub(crate) use upper::{CellBlock, Upper};
+pub(crate) use neighbours::CellBlock;
+pub(crate) use upper::Upper;

@@ -1,7 +1,15 @@
 //! Which blocks of unknowns meet in a cell.
 
-use super::upper::CellBlock;
 use std::ops::Range;
+
+/// A block of unknowns as a cell sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct CellBlock {
+    /// Which of the matrix' blocks.
+    pub block: usize,
+    /// Where it begins in the cell's matrix.
+    pub start: usize,
+}
 
 /// A block of rows, and where it begins in a column.
 pub(super) type Begin = (u32, u32);

@@ -1,6 +1,6 @@
 //! The upper triangle of a sparse symmetric matrix in compressed columns, assembled block by block in the cells' order.
 
-use super::neighbours::Neighbours;
+use super::neighbours::{CellBlock, Neighbours};
 use crate::Error;
 use nalgebra::DMatrix;
 
@@ -18,15 +18,6 @@ pub(crate) struct Upper {
     offsets: Vec<usize>,
     /// For each block of columns, the blocks of rows above it, ascending, and where each begins in a column.
     above: Neighbours,
-}
-
-/// A block of unknowns as a cell sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct CellBlock {
-    /// Which of the matrix' blocks.
-    pub block: usize,
-    /// Where it begins in the cell's matrix.
-    pub start: usize,
 }
 
 impl Upper {

@@ -7,9 +7,9 @@
 //! - N_f = g⁻¹ν_f/(ν_f g⁻¹ ν_f) is h_f times the unit normal, h_f the height of the cell over the face, and
 //!   ds = |det J|/h_f dμ, so ∫_f τ_nn (∂_n v − q) ds = |det J| ∫ T(ν_f, ν_f) (∂_{N_f} v − h_f q) dμ.
 //!
-//! The change of unknown ŵ_f = h_f q − ∂_{N_f − m_f} v, tangential in v, makes the last one the reference element's.
+//! The change of unknown ŵ_f = h_f q − ∂_{N_f} v makes the last one the reference element's.
 
-use super::element::{Element, conormal, transversal};
+use super::element::{Element, conormal};
 use super::layout::FaceMoment;
 use crate::linalg::{Mat, Vector, apply, contract, inverse_and_det};
 use crate::mesh::Mesh;
@@ -37,7 +37,7 @@ pub(in crate::norm) struct Shape<const N: usize> {
 pub(in crate::norm) struct FaceShape<const N: usize> {
     /// ±h_f: û is the derivative along the normal that leaves the first of the face's cells.
     pub height: f64,
-    /// Barycentric components of N_f − m_f at the vertices of the face, ascending.
+    /// Barycentric components of N_f at the vertices of the face, ascending. The one at the opposite vertex is −1.
     pub tangent: [f64; N],
 }
 
@@ -81,12 +81,12 @@ impl<const N: usize> Shape<N> {
             |a: usize, b: usize| self.volume * self.raise(element.pairs[a], element.pairs[b]);
         let mut energy = element.condensed(weight);
         // Â in (u, ŵ) becomes Tᵀ Â T in (u, û): first the columns, then by symmetry the rows.
-        for (moment, shape, p) in self.moments(element) {
-            combine_columns(&mut energy, moment, shape, p);
+        for (moment, shape) in self.moments(element) {
+            combine_columns(&mut energy, element, moment, shape);
         }
         energy.transpose_mut();
-        for (moment, shape, p) in self.moments(element) {
-            combine_columns(&mut energy, moment, shape, p);
+        for (moment, shape) in self.moments(element) {
+            combine_columns(&mut energy, element, moment, shape);
         }
         energy
     }
@@ -94,10 +94,14 @@ impl<const N: usize> Shape<N> {
     /// The coefficients of σ in a cell from those of (u, û): component a along φ_k in `[(k, a)]`.
     pub fn tensor(&self, element: &Element<N>, local: &[f64]) -> DMatrix<f64> {
         let mut reference = DVector::from_column_slice(local);
-        for (moment, shape, p) in self.moments(element) {
+        let p = element.degree as f64;
+        for (moment, shape) in self.moments(element) {
             reference[moment.slope] *= shape.height;
             for (v, &index) in moment.raised.iter().enumerate() {
                 reference[moment.slope] -= p * shape.tangent[v] * local[index];
+            }
+            if let Some(index) = element.layout.opposite(moment) {
+                reference[moment.slope] += p * local[index];
             }
         }
         let y = &element.pairing * reference;
@@ -114,15 +118,14 @@ impl<const N: usize> Shape<N> {
         s
     }
 
-    /// ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}, all of them: the derivative of a Bernstein polynomial of degree p along τ
-    /// is p Σ_v τ_v B_{α−e_v}.
+    /// ŵ_β = ±h û_β − p (Σ_v τ_v u_{β+e_v} − u_{β+e_f}), all of them, v the vertices of the face and f the other one: the derivative of
+    /// a Bernstein polynomial of degree p along τ is p Σ_v τ_v B_{α−e_v}.
     fn moments<'a>(
         &'a self,
         element: &'a Element<N>,
-    ) -> impl Iterator<Item = (&'a FaceMoment, &'a FaceShape<N>, f64)> {
-        let p = element.degree as f64;
+    ) -> impl Iterator<Item = (&'a FaceMoment, &'a FaceShape<N>)> {
         let faces = element.layout.faces.iter().zip(&self.faces);
-        faces.flat_map(move |(moments, shape)| moments.iter().map(move |m| (m, shape, p)))
+        faces.flat_map(move |(moments, shape)| moments.iter().map(move |m| (m, shape)))
     }
 }
 
@@ -145,11 +148,10 @@ fn face_shape<const N: usize>(
     let nu = conormal::<N>(f).into();
     let raised = apply(inverse, &nu);
     let norm = contract(&nu, &raised);
-    let m = transversal::<N>(f);
-    let difference: [f64; N] = std::array::from_fn(|i| raised[i] / norm - m[i]);
+    let normal: [f64; N] = std::array::from_fn(|i| raised[i] / norm);
     let tangent = std::array::from_fn(|v| match face[v] {
-        0 => -difference.iter().sum::<f64>(),
-        vertex => difference[vertex - 1],
+        0 => -normal.iter().sum::<f64>(),
+        vertex => normal[vertex - 1],
     });
     FaceShape {
         height: sign / norm.sqrt(),
@@ -160,12 +162,17 @@ fn face_shape<const N: usize>(
 /// Column ŵ_β handed on to the columns of û_β and of the u that it contains.
 fn combine_columns<const N: usize>(
     a: &mut DMatrix<f64>,
+    element: &Element<N>,
     moment: &FaceMoment,
     shape: &FaceShape<N>,
-    p: f64,
 ) {
-    for (v, &index) in moment.raised.iter().enumerate() {
-        let factor = -p * shape.tangent[v];
+    let p = element.degree as f64;
+    let of_face = moment.raised.iter().zip(shape.tangent);
+    let opposite = element.layout.opposite(moment).map(|index| (index, p));
+    for (index, factor) in of_face
+        .map(|(&index, tau)| (index, -p * tau))
+        .chain(opposite)
+    {
         let (mut target, source) = a.columns_range_pair_mut(index, moment.slope);
         target.axpy(factor, &source, 1.0);
     }

@@ -1,16 +1,18 @@
 //! The Hellan–Herrmann–Johnson element on the reference simplex: everything that does not see the cell's shape.
 //!
 //! A moment tensor has contravariant components S^{ij} in reference coordinates, S = Σ_a s_a(ξ) E_a with E_a over
-//! the pairs i ≤ j (e_i ⊗ e_i, or e_i ⊗ e_j + e_j ⊗ e_i) and s_a in an L²-orthonormal basis φ of P_{p−1}. With
-//! ν_f = −dλ_f and fixed vectors m_f, ν_f(m_f) = 1, the pairing with (u, ŵ) is a constant matrix:
+//! the pairs i ≤ j (e_i ⊗ e_i, or e_i ⊗ e_j + e_j ⊗ e_i) and s_a in an L²-orthonormal basis φ of P_{p−1}, whose first
+//! functions are one of P_{p−2}. With ν_f = −dλ_f the pairing with (u, ŵ), ŵ_f = h_f (û_f − ∂u/∂n) (`cell.rs`), is a constant
+//! matrix:
 //!
-//! B̂(S; u, ŵ) = ∫ S^{ij} ∂_i∂_j u dξ − Σ_f ∫_f S(ν_f, ν_f) (∂_{m_f} u − ŵ_f) dμ,
+//! B̂(S; u, ŵ) = ∫ S^{ij} ∂_i∂_j u dξ + Σ_f ∫_f S(ν_f, ν_f) ŵ_f dμ,
 //!
-//! dμ the measure of the face's own reference simplex.
+//! dμ the measure of the face's own reference simplex. ŵ is without the bubbles' part, which does not depend on the cell's shape:
+//! it is in their columns. Most of the matrix is zero: u meets the moments of P_{p−2} alone, and ŵ_f, but for one face, one pair.
 
 use super::layout::Layout;
 use crate::quadrature::Rule;
-use crate::simplex::{Bernstein, Points, subsets};
+use crate::simplex::{Bernstein, Points, multi_indices, subsets};
 use crate::spaces::Lagrange;
 use nalgebra::{DMatrix, DVector};
 
@@ -50,9 +52,11 @@ impl<const N: usize> Element<N> {
         }
     }
 
-    /// The rank of a cell's energy, at most, when the bubbles are eliminated: each takes a moment with it.
+    /// The rank of a cell's energy, at most, when the bubbles are eliminated: each takes a moment with it, and affine functions have
+    /// no energy.
     pub fn rank(&self) -> usize {
-        self.pairing.nrows() - self.layout.bubbles
+        let Layout { bubbles, len, .. } = self.layout;
+        (self.pairing.nrows() - bubbles).min(len - bubbles - (N + 1))
     }
 
     /// Σ_{a,b} weight(a, b) B̂_aᵀ B̂_b for symmetric weights; the upper triangle is filled in, the lower mirrored.
@@ -76,11 +80,14 @@ impl<const N: usize> Element<N> {
     }
 }
 
-/// The L²-orthonormal basis of P_q on the reference simplex that Gram–Schmidt makes of Bernstein's.
+/// The L²-orthonormal basis of P_q on the reference simplex that Gram–Schmidt makes of Bernstein's of P_{q−1} and, after these, those
+/// of P_q that do not charge vertex 0.
 #[derive(Clone, Debug)]
 pub(in crate::norm) struct Moments {
     bernstein: Bernstein,
-    /// φ_k = Σ_β `rows[(k, β)]` B_β, lower triangular.
+    /// dim P_{q−1}: so many come first.
+    pub lower: usize,
+    /// φ_k = Σ_β `rows[(k, β)]` B_β.
     rows: DMatrix<f64>,
 }
 
@@ -95,8 +102,11 @@ impl Moments {
                 .map(|q| rule.weights()[q] * table[q][i] * table[q][j])
                 .sum::<f64>()
         });
+        let (lower, functions) = by_degree(n, degree, &bernstein);
+        let mass = &functions * mass * functions.transpose();
         Self {
-            rows: inverse_cholesky(mass),
+            rows: inverse_cholesky(mass) * functions,
+            lower,
             bernstein,
         }
     }
@@ -108,17 +118,39 @@ impl Moments {
 
     /// φ_k at the points: `[point][k]`.
     pub fn tabulate(&self, points: &Points) -> Vec<Vec<f64>> {
-        let row = |b: Vec<f64>| {
-            (0..self.len())
-                .map(|k| (0..=k).map(|i| self.rows[(k, i)] * b[i]).sum())
-                .collect()
-        };
-        self.bernstein
-            .tabulate::<f64>(points)
-            .into_iter()
-            .map(row)
-            .collect()
+        let table = self.bernstein.tabulate::<f64>(points).into_iter();
+        let row = |b: Vec<f64>| (&self.rows * DVector::from_vec(b)).as_slice().to_vec();
+        table.map(row).collect()
     }
+}
+
+/// dim P_{q−1}, and a basis of P_q that begins with one of P_{q−1}: row by row in Bernstein's. A polynomial of degree q − 1 is one of
+/// degree q by its product with Σ λ_v = 1, which a combination of those without λ_0 is not: it would have no factor Σ λ_v.
+fn by_degree(n: usize, q: usize, bernstein: &Bernstein) -> (usize, DMatrix<f64>) {
+    let exponents = bernstein.exponents();
+    // B_γ = Σ_v (γ_v + 1)/q B_{γ+e_v}.
+    let lower = match q {
+        0 => Vec::new(),
+        q => multi_indices(n + 1, q - 1),
+    };
+    let upper = exponents
+        .iter()
+        .enumerate()
+        .filter(|(_, alpha)| alpha[0] == 0);
+    let mut functions = DMatrix::zeros(exponents.len(), exponents.len());
+    for (row, gamma) in lower.iter().enumerate() {
+        for v in 0..=n {
+            let mut alpha = gamma.clone();
+            alpha[v] += 1;
+            let column = exponents.iter().position(|a| *a == alpha);
+            let column = column.expect("γ + e_v is of degree q");
+            functions[(row, column)] = alpha[v] as f64 / q as f64;
+        }
+    }
+    for (i, (column, _)) in upper.enumerate() {
+        functions[(lower.len() + i, column)] = 1.0;
+    }
+    (lower.len(), functions)
 }
 
 /// L⁻¹ where A = L Lᵀ; A is a mass matrix, positive definite.
@@ -143,7 +175,7 @@ fn inverse_cholesky(a: DMatrix<f64>) -> DMatrix<f64> {
     inverse
 }
 
-/// ∫ S^{ij} ∂_i∂_j u dξ.
+/// ∫ S^{ij} ∂_i∂_j u dξ, which is zero for moments that are orthogonal to P_{p−2}.
 fn pair_with_hessians<const N: usize>(
     p: usize,
     pairs: &[(usize, usize)],
@@ -159,7 +191,7 @@ fn pair_with_hessians<const N: usize>(
             // E_a : ∂∂u, where i < j counts twice.
             let factor = rule.weights()[q] * if i == j { 1.0 } else { 2.0 };
             for (alpha, &column) in layout.bernstein.iter().enumerate() {
-                for k in 0..moments.len() {
+                for k in 0..moments.lower {
                     pairing[(a * moments.len() + k, column)] +=
                         factor * phi[q][k] * u[q][alpha].dd[i][j];
                 }
@@ -168,7 +200,8 @@ fn pair_with_hessians<const N: usize>(
     }
 }
 
-/// −Σ_f ∫_f S(ν_f, ν_f) (∂_{m_f} u − ŵ_f) dμ.
+/// Σ_f ∫_f S(ν_f, ν_f) ŵ_f dμ, and the same for the bubbles' part of ŵ: −∂u/∂N_f has the coefficients p u_{β+e_f} where u = 0 on the
+/// face, for every N_f with ν_f(N_f) = 1.
 fn pair_with_slopes<const N: usize>(
     p: usize,
     pairs: &[(usize, usize)],
@@ -179,21 +212,19 @@ fn pair_with_slopes<const N: usize>(
     let rule = Rule::new(N - 1, 2 * p);
     let slopes = Bernstein::new(N, p - 1).tabulate::<f64>(rule.points());
     for (place, face) in subsets(N + 1, N).iter().enumerate() {
-        let points = rule.points().embed(face, N + 1);
-        let u = Bernstein::new(N + 1, p).tabulate_jets::<f64, N>(&points);
-        let phi = moments.tabulate(&points);
-        let (nu, m) = (conormal::<N>(N - place), transversal::<N>(N - place));
+        let phi = moments.tabulate(&rule.points().embed(face, N + 1));
+        let nu = conormal::<N>(N - place);
         for q in 0..rule.len() {
             for (a, &(i, j)) in pairs.iter().enumerate() {
                 let factor = rule.weights()[q] * nu[i] * nu[j] * if i == j { 1.0 } else { 2.0 };
                 for k in 0..moments.len() {
                     let row = a * moments.len() + k;
-                    for (alpha, &column) in layout.bernstein.iter().enumerate() {
-                        let slope: f64 = (0..N).map(|c| m[c] * u[q][alpha].d[c]).sum();
-                        pairing[(row, column)] -= factor * phi[q][k] * slope;
-                    }
                     for (beta, moment) in layout.faces[place].iter().enumerate() {
-                        pairing[(row, moment.slope)] += factor * phi[q][k] * slopes[q][beta];
+                        let entry = factor * phi[q][k] * slopes[q][beta];
+                        pairing[(row, moment.slope)] += entry;
+                        if moment.opposite < layout.bubbles {
+                            pairing[(row, moment.opposite)] += p as f64 * entry;
+                        }
                     }
                 }
             }
@@ -208,11 +239,6 @@ pub(in crate::norm) fn conormal<const N: usize>(f: usize) -> [f64; N] {
         _ if i == f - 1 => -1.0,
         _ => 0.0,
     })
-}
-
-/// m_f: from vertex f to the barycentre of the opposite face; ν_f(m_f) = 1.
-pub(in crate::norm) fn transversal<const N: usize>(f: usize) -> [f64; N] {
-    std::array::from_fn(|i| if i + 1 == f { -1.0 } else { 1.0 / N as f64 })
 }
 
 /// The upper triangles of the products of B̂'s blocks of rows.

@@ -21,13 +21,15 @@ pub(in crate::norm) struct Block {
     pub width: usize,
 }
 
-/// One equation of the change of unknown on a face: which u make the tangential derivative's coefficient β.
+/// One equation of the change of unknown on a face: which u make the derivative's coefficient β.
 #[derive(Clone, Debug)]
 pub(in crate::norm) struct FaceMoment {
     /// The local index of û_β, which is that of ŵ_β too.
     pub slope: usize,
     /// For each vertex v of the face, ascending: the local index of the coefficient β + e_v of u.
     pub raised: Vec<usize>,
+    /// The same for the vertex opposite to the face. It is a bubble where β charges all vertices of the face.
+    pub opposite: usize,
 }
 
 /// The numbering inside a cell.
@@ -46,6 +48,11 @@ pub(in crate::norm) struct Layout {
 }
 
 impl Layout {
+    /// The coefficient of u at the vertex opposite to a face, if it is no bubble.
+    pub fn opposite(&self, moment: &FaceMoment) -> Option<usize> {
+        (moment.opposite >= self.bubbles).then_some(moment.opposite)
+    }
+
     pub fn new<const N: usize>(space: &Lagrange<N>) -> Self {
         let p = space.degree();
         let bubbles = own(N, p);
@@ -108,19 +115,22 @@ fn faces(n: usize, p: usize, blocks: &[Block], bernstein: &[usize]) -> Vec<Vec<F
         .zip(blocks.iter().filter(|b| b.k == n - 1))
     {
         let first = block.start + own(n - 1, p);
+        let opposite = (0..=n).find(|v| !face.contains(v));
+        let opposite = opposite.expect("a face has one vertex less than its cell");
         let moment = |(beta, exponents): (usize, &Vec<usize>)| {
             let mut alpha = vec![0; n + 1];
             for (i, &v) in face.iter().enumerate() {
                 alpha[v] = exponents[i];
             }
-            let raise = |&v: &usize| {
+            let raise = |v: usize| {
                 let mut raised = alpha.clone();
                 raised[v] += 1;
                 index_of(&raised)
             };
             FaceMoment {
                 slope: first + beta,
-                raised: face.iter().map(raise).collect(),
+                raised: face.iter().map(|&v| raise(v)).collect(),
+                opposite: raise(opposite),
             }
         };
         all.push(of_face.exponents().iter().enumerate().map(moment).collect());

@@ -100,7 +100,7 @@ impl<'a, T: Number> Batch<'a, T> {
         (self.lanes, self.heights, self.tangents) = (n, heights, tangents);
     }
 
-    /// (u, û) without the bubbles becomes (u, ŵ): ŵ_β = ±h û_β − p Σ_v τ_v u_{β+e_v}.
+    /// (u, û) without the bubbles becomes (u, ŵ): ŵ_β = ±h û_β − p (Σ_v τ_v u_{β+e_v} − u_{β+e_f}).
     pub fn shift<const N: usize>(&self, element: &Element<N>, x: &mut [T]) {
         let (n, bubbles) = (self.lanes, element.layout.bubbles);
         for (f, moments) in element.layout.faces.iter().enumerate() {
@@ -111,6 +111,10 @@ impl<'a, T: Number> Batch<'a, T> {
                     let tangent = row(self.tangents, f * N + v, n);
                     let (target, source) = two_rows(x, slope, raised - bubbles, n);
                     subtract(target, tangent, source);
+                }
+                if let Some(opposite) = element.layout.opposite(moment) {
+                    let (target, source) = two_rows(x, slope, opposite - bubbles, n);
+                    add(target, T::of(element.degree as f64), source);
                 }
             }
         }
@@ -126,6 +130,10 @@ impl<'a, T: Number> Batch<'a, T> {
                     let tangent = row(self.tangents, f * N + v, n);
                     let (target, source) = two_rows(x, raised - bubbles, slope, n);
                     subtract(target, tangent, source);
+                }
+                if let Some(opposite) = element.layout.opposite(moment) {
+                    let (target, source) = two_rows(x, opposite - bubbles, slope, n);
+                    add(target, T::of(element.degree as f64), source);
                 }
                 scale(row_mut(x, slope, n), row(self.heights, f, n));
             }
@@ -147,7 +155,8 @@ impl<'a, T: Number> Batch<'a, T> {
                 for b in (0..pairs).step_by(3) {
                     let terms = term(b).zip(term(b + 1)).zip(term(b + 2));
                     for (t, ((p, q), r)) in target.iter_mut().zip(terms) {
-                        *t += *p.0 * *p.1 + *q.0 * *q.1 + *r.0 * *r.1;
+                        let sum = t.plus_product(*p.0, *p.1).plus_product(*q.0, *q.1);
+                        *t = sum.plus_product(*r.0, *r.1);
                     }
                 }
             }
@@ -224,7 +233,13 @@ fn scale<T: Number>(x: &mut [T], factor: &[T]) {
 
 fn subtract<T: Number>(x: &mut [T], factor: &[T], y: &[T]) {
     for ((x, f), y) in x.iter_mut().zip(factor).zip(y) {
-        *x -= *f * *y;
+        *x = x.plus_product(-*f, *y);
+    }
+}
+
+fn add<T: Number>(x: &mut [T], factor: T, y: &[T]) {
+    for (x, y) in x.iter_mut().zip(y) {
+        *x = x.plus_product(factor, *y);
     }
 }
 

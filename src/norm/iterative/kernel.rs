@@ -2,10 +2,9 @@
 
 use super::batch::{Batch, CELLS, Geometry, row, row_mut};
 use super::number::Number;
+use super::pairing::Pairing;
 use super::skeleton::Skeleton;
 use crate::norm::hhj::Hhj;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -17,7 +16,7 @@ pub(super) struct Kernel<T, const N: usize> {
     /// B̂_aᵀ B̂_b + B̂_bᵀ B̂_a restricted to the bubbles, or half of it where a = b: row after row of the lower triangle.
     gram: Vec<DMatrix<T>>,
     /// B̂.
-    pairing: DMatrix<T>,
+    pub pairing: Pairing<T>,
     geometry: Geometry<T>,
 }
 
@@ -38,14 +37,9 @@ impl<T: Number, const N: usize> Kernel<T, N> {
             hhj: hhj.clone(),
             skeleton: skeleton.clone(),
             gram,
-            pairing: element.pairing.map(T::of),
+            pairing: Pairing::new(element),
             geometry: Geometry::new(hhj, &skeleton.order.cells),
         }
-    }
-
-    /// B̂ without the bubbles' columns.
-    fn outer_pairing(&self) -> MatRef<'_, T> {
-        as_mat(&self.pairing).subcols(self.hhj.layout().bubbles, self.outer())
     }
 
     /// How many of a cell's unknowns are not bubbles.
@@ -108,20 +102,19 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         let (element, lanes) = (hhj.element(), self.batch.lanes);
         // On ∂Ω it is zero.
         self.x.fill(T::ZERO);
-        for lane in 0..lanes {
-            let cell = self.begin + lane;
-            for block in &element.layout.blocks {
-                let from = skeleton.of_cell(block.k, cell, block.place);
-                let first = (block.start - element.layout.bubbles) * lanes + lane;
-                let rows = self.x[first..].iter_mut().step_by(lanes);
-                for (x, from) in rows.zip(&global[from]) {
+        for block in element.layout.blocks.iter().filter(|block| block.width > 0) {
+            let first = (block.start - element.layout.bubbles) * lanes;
+            let rows = &mut self.x[first..first + block.width * lanes];
+            for lane in 0..lanes {
+                let from = skeleton.of_cell(block.k, self.begin + lane, block.place);
+                for (x, from) in rows[lane..].iter_mut().step_by(lanes).zip(&global[from]) {
                     *x = T::of(from.double());
                 }
             }
         }
         self.batch.shift(element, &mut self.x);
-        let pairing = self.kernel.outer_pairing();
-        multiply(&mut self.y, &self.x, lanes, pairing.transpose());
+        let pairing = &self.kernel.pairing;
+        pairing.multiply(&self.x, &mut self.y, lanes);
     }
 
     /// z = (W ⊗ I)(y + B̂_b t) with the bubbles t = A_bb⁻¹ (f − B̂_bᵀ (W ⊗ I) y); `f` by places.
@@ -145,7 +138,7 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         }
         for i in 0..bubbles {
             for r in 0..pairs * size {
-                let b = kernel.pairing[(r, i)];
+                let b = kernel.pairing.bubbles[(r, i)];
                 for (t, z) in row_mut(t, i, lanes).iter_mut().zip(row(&self.z, r, lanes)) {
                     *t -= b * *z;
                 }
@@ -154,7 +147,7 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         self.batch.solve_bubbles(&kernel.gram, t);
         for i in 0..bubbles {
             for r in 0..pairs * size {
-                let b = kernel.pairing[(r, i)];
+                let b = kernel.pairing.bubbles[(r, i)];
                 for (y, t) in row_mut(&mut self.y, r, lanes)
                     .iter_mut()
                     .zip(row(t, i, lanes))
@@ -166,21 +159,16 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         self.batch.weigh(pairs, size, &self.y, &mut self.z);
     }
 
-    /// Tᵀ B̂ᵀ z without the bubbles' rows.
+    /// Tᵀ B̂ᵀ z without the bubbles' rows, cell by cell: so the simplices find what is theirs.
     pub fn unload(&mut self, out: &mut [T]) {
         let (element, lanes) = (self.kernel.hhj.element(), self.batch.lanes);
-        multiply(out, &self.z, lanes, self.kernel.outer_pairing());
-        self.batch.shift_back(element, out);
+        self.kernel.pairing.transposed(&self.z, &mut self.x, lanes);
+        self.batch.shift_back(element, &mut self.x);
+        let outer = self.kernel.outer();
+        for (row, x) in self.x.chunks_exact(lanes).enumerate() {
+            for (out, x) in out[row..].iter_mut().step_by(outer).zip(x) {
+                *out = *x;
+            }
+        }
     }
-}
-
-/// c = a b for rows of lanes: the rows of c and a are columns here.
-fn multiply<T: Number>(c: &mut [T], a: &[T], lanes: usize, b: MatRef<'_, T>) {
-    let c = MatMut::from_column_major_slice_mut(c, lanes, b.ncols());
-    let a = MatRef::from_column_major_slice(a, lanes, b.nrows());
-    matmul(c, Accum::Replace, a, b, T::ONE, Par::Seq);
-}
-
-fn as_mat<T>(a: &DMatrix<T>) -> MatRef<'_, T> {
-    MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
 }

@@ -12,6 +12,8 @@ mod number;
 mod operator;
 mod order;
 mod packed;
+mod pairing;
+mod product;
 mod skeleton;
 mod smoother;
 

@@ -1,5 +1,6 @@
 //! The numbers that the iteration computes with: double precision, and single precision within the preconditioner.
 
+use crate::scalar::FUSED;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `f64` or `f32`.
@@ -26,6 +27,9 @@ pub(super) trait Number:
     fn double(self) -> f64;
 
     fn root(self) -> Self;
+
+    /// self + a b: rounded once where the machine has an instruction for it.
+    fn plus_product(self, a: Self, b: Self) -> Self;
 }
 
 impl Number for f64 {
@@ -46,6 +50,14 @@ impl Number for f64 {
     fn root(self) -> Self {
         self.sqrt()
     }
+
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        match FUSED {
+            true => a.mul_add(b, self),
+            false => self + a * b,
+        }
+    }
 }
 
 impl Number for f32 {
@@ -65,5 +77,13 @@ impl Number for f32 {
     #[inline]
     fn root(self) -> Self {
         self.sqrt()
+    }
+
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        match FUSED {
+            true => a.mul_add(b, self),
+            false => self + a * b,
+        }
     }
 }

@@ -37,14 +37,15 @@ impl<T: Number, const N: usize> Operator<T, N> {
         self.hhj.mesh().cell_count() * self.kernel.outer()
     }
 
-    /// The operations of [`Operator::apply`]: B̂ and B̂ᵀ, twice W ⊗ I where there are bubbles, and T with Tᵀ.
+    /// The operations of [`Operator::apply`]: B̂ and B̂ᵀ without their zeros, twice W ⊗ I where there are bubbles, and T with Tᵀ.
     pub fn operations(&self) -> f64 {
-        let element = self.hhj.element();
-        let (rows, columns) = element.pairing.shape();
+        let (element, pairing) = (self.hhj.element(), &self.kernel.pairing);
+        let rows = element.pairing.nrows();
         let bubbles = element.layout.bubbles;
         let weights = rows * element.pairs.len() * if bubbles > 0 { 2 } else { 1 };
         let slopes: usize = element.layout.faces.iter().map(Vec::len).sum();
-        let cell = 4 * rows * (columns + bubbles) + 2 * weights + 4 * slopes * (N + 1);
+        let products = pairing.len() + 2 * rows * bubbles;
+        let cell = 4 * products + 2 * weights + 4 * slopes * (N + 2);
         cell as f64 * self.hhj.mesh().cell_count() as f64
     }
 
@@ -77,7 +78,7 @@ impl<T: Number, const N: usize> Operator<T, N> {
     /// y += factor · the sum over the cells.
     pub fn collect(&self, room: &[T], y: &mut [T], factor: T) {
         let (order, layout) = (&self.skeleton.order, self.hhj.layout());
-        let (outer, cells) = (self.kernel.outer(), order.cells.len());
+        let outer = self.kernel.outer();
         for (k, simplices) in order.layers.iter().enumerate() {
             let width = self.skeleton.widths[k];
             if width == 0 {
@@ -90,11 +91,9 @@ impl<T: Number, const N: usize> Operator<T, N> {
             for_chunks(layer, SIMPLICES * width, |piece, layer| {
                 for (i, y) in layer.chunks_exact_mut(width).enumerate() {
                     for (cell, which) in simplices.star(piece * SIMPLICES + i) {
-                        let begin = cell / CELLS * CELLS;
-                        let lanes = CELLS.min(cells - begin);
-                        let from = begin * outer + starts[which] * lanes + cell - begin;
-                        for (y, x) in y.iter_mut().zip(room[from..].iter().step_by(lanes)) {
-                            *y += factor * *x;
+                        let of_cell = &room[cell * outer + starts[which]..][..width];
+                        for (y, x) in y.iter_mut().zip(of_cell) {
+                            *y = y.plus_product(factor, *x);
                         }
                     }
                 }
