@@ -9,7 +9,7 @@ use crate::parallel::{for_chunks, for_chunks_together};
 const BLOCK: usize = 1 << 14;
 
 /// xᵀ y, in double precision.
-pub(super) fn dot<T: Number>(x: &[T], y: &[T]) -> f64 {
+pub(super) fn dot<S: Number, T: Number>(x: &[S], y: &[T]) -> f64 {
     let mut sums = vec![0.0; x.len().div_ceil(BLOCK)];
     for_chunks(&mut sums, 1, |i, sum| {
         let range = i * BLOCK..x.len().min((i + 1) * BLOCK);
@@ -36,12 +36,12 @@ pub(super) fn scale<T: Number>(y: &mut [T], alpha: f64) {
     for_chunks(y, BLOCK, |_, y| y.iter_mut().for_each(|y| *y *= alpha));
 }
 
-/// y = α y + β x.
-pub(super) fn combine<T: Number>(alpha: f64, y: &mut [T], beta: f64, x: &[T]) {
+/// y = α y + β x, in the precision of y.
+pub(super) fn combine<S: Number, T: Number>(alpha: f64, y: &mut [T], beta: f64, x: &[S]) {
     let (alpha, beta) = (T::of(alpha), T::of(beta));
     for_chunks(y, BLOCK, |i, y| {
         for (y, x) in y.iter_mut().zip(&x[i * BLOCK..]) {
-            *y = alpha * *y + beta * *x;
+            *y = alpha * *y + beta * T::of(x.double());
         }
     });
 }
@@ -73,24 +73,24 @@ pub(super) fn convert<S: Number, T: Number>(x: &[S], alpha: f64, y: &mut [T]) {
 
 /// x with A x = r for symmetric positive definite A and preconditioner; `watch` is told of each step.
 ///
-/// `apply(p, q, room)` is q = A p, `precondition(r, z, room)` is z = M⁻¹ r.
+/// `apply(p, q, room)` is q = A p. `precondition(r, room)` leaves M⁻¹ r, divided by what it returns, where `preconditioned(room)` is.
 ///
 /// # Errors
 /// If the steps do not suffice, or what should be positive is not.
-pub(super) fn solve<R>(
+pub(super) fn solve<R, Z: Number>(
     mut r: Vec<f64>,
     target: Target,
     room: &mut R,
     apply: impl Fn(&[f64], &mut [f64], &mut R),
-    precondition: impl Fn(&[f64], &mut [f64], &mut R),
+    precondition: impl Fn(&[f64], &mut R) -> f64,
+    preconditioned: impl Fn(&R) -> &[Z],
     watch: &mut dyn FnMut(Step),
 ) -> Result<Vec<f64>, Error> {
     let mut x = vec![0.0; r.len()];
-    let mut z = vec![0.0; r.len()];
-    let mut q = vec![0.0; r.len()];
-    precondition(&r, &mut z, room);
-    let mut p = z.clone();
-    let mut square = dot(&r, &z);
+    let (mut p, mut q) = (x.clone(), x.clone());
+    let mut size = precondition(&r, room);
+    combine(0.0, &mut p, size, preconditioned(room));
+    let mut square = size * dot(&r, preconditioned(room));
     let first = square;
     if first == 0.0 {
         return Ok(x);
@@ -106,8 +106,8 @@ pub(super) fn solve<R>(
         let alpha = square / energy;
         axpy(&mut x, alpha, &p);
         axpy(&mut r, -alpha, &q);
-        precondition(&r, &mut z, room);
-        let before = std::mem::replace(&mut square, dot(&r, &z));
+        size = precondition(&r, room);
+        let before = std::mem::replace(&mut square, size * dot(&r, preconditioned(room)));
         if square < 0.0 {
             return Err(Error::Solver(format!(
                 "conjugate gradients broke down in step {step}: the preconditioner is not positive definite"
@@ -121,7 +121,7 @@ pub(super) fn solve<R>(
         if residual <= target.residual {
             return Ok(x);
         }
-        combine(square / before, &mut p, 1.0, &z);
+        combine(square / before, &mut p, size, preconditioned(room));
     }
     Err(Error::Solver(format!(
         "conjugate gradients: a relative residual of {:e} after {} steps, where {:e} was wanted",

@@ -60,7 +60,8 @@ impl<const N: usize> Smoothed for Fine<N> {
 
 /// What a cycle works with.
 pub(super) struct Workshop<const N: usize> {
-    z: Vec<f32>,
+    /// What it computes.
+    pub z: Vec<f32>,
     room: Room<Fine<N>>,
     coarse: Rooms<N>,
 }
@@ -83,16 +84,17 @@ impl<const N: usize> Cycle<N> {
         }
     }
 
-    /// z = M⁻¹ r.
-    pub fn apply(&self, r: &[f64], z: &mut [f64], workshop: &mut Workshop<N>) {
-        // Single precision has a narrow range: residuals are brought to size one and back.
+    /// Leaves M⁻¹ r in the workshop's z, divided by the size of r, which is returned: single precision has a narrow range.
+    pub fn apply(&self, r: &[f64], workshop: &mut Workshop<N>) -> f64 {
         let size = dot(r, r).sqrt();
-        if size == 0.0 {
-            return z.fill(0.0);
+        match size == 0.0 {
+            true => workshop.z.fill(0.0),
+            false => {
+                convert(r, 1.0 / size, &mut workshop.room.residual);
+                self.cycle(workshop);
+            }
         }
-        convert(r, 1.0 / size, &mut workshop.room.residual);
-        self.cycle(workshop);
-        convert(&workshop.z, size, z);
+        size
     }
 
     /// z from the residual.
@@ -164,7 +166,8 @@ mod tests {
                 .iter()
                 .map(|r| {
                     let mut z = vec![0.0; len];
-                    cycle.apply(r, &mut z, &mut workshop);
+                    let size = cycle.apply(r, &mut workshop);
+                    convert(&workshop.z, size, &mut z);
                     z
                 })
                 .collect();

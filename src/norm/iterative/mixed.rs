@@ -37,7 +37,7 @@ impl<const N: usize> Mixed<N> {
 
     /// How much room [`Mixed::apply`] needs.
     pub fn room(&self) -> usize {
-        self.single.room()
+        self.single.skeleton.order.cells.len() * self.single.kernel.outer()
     }
 
     /// How many unknowns.
@@ -78,6 +78,7 @@ impl<const N: usize> Mixed<N> {
                 }
             },
         );
-        self.single.collect(room, y, factor);
+        let cells = 0..self.single.skeleton.order.cells.len();
+        self.single.collect(cells, room, y, factor);
     }
 }

@@ -111,7 +111,9 @@ impl<const N: usize> Iterative<N> {
     /// If r or z has not [`Iterative::unknowns`] entries.
     pub fn precondition(&self, r: &[f64], z: &mut [f64]) {
         assert!(r.len() == self.unknowns() && z.len() == r.len());
-        self.cycle.apply(r, z, &mut self.cycle.workshop());
+        let mut workshop = self.cycle.workshop();
+        let size = self.cycle.apply(r, &mut workshop);
+        cg::convert(&workshop.z, size, z);
     }
 }
 
@@ -139,7 +141,8 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
             self.target,
             &mut room,
             |p, q, (room, _)| operator.apply(p, q, room),
-            |r, z, (_, workshop)| self.cycle.apply(r, z, workshop),
+            |r, (_, workshop)| self.cycle.apply(r, workshop),
+            |(_, workshop)| &workshop.z,
             watch,
         )?;
         let mut coefficients = vec![0.0; self.hhj().len()];
@@ -150,9 +153,9 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
 }
 
 /// The bytes that the iteration takes: the cells' geometry, in both precisions, and order; inverse blocks in single precision, and in
-/// double precision those of as many bad cells as may have one; five vectors of conjugate gradients and four of the cycle, which are
-/// half as long; the load and the solution; a place for each cell's result in both precisions. While they are set up the
-/// simplices' blocks are there in double precision too, and where the mesh is no cube with so many faces in ∂Ω the splines' rows.
+/// double precision those of as many bad cells as may have one; four vectors of conjugate gradients and four of the cycle, which are
+/// half as long; the load and the solution; a place for each cell's result, and for an eighth of them in double precision. While they
+/// are set up the simplices' blocks are there in double precision too, and where the mesh is no cube with so many faces in ∂Ω the splines' rows.
 pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let [blocks, unknowns, u, outer] = [
         size.blocks(),
@@ -161,11 +164,11 @@ pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
         size.cells() * size.outer(),
     ]
     .map(|count| count as f64);
-    let vectors = (8.0 * 5.0 + 4.0 * 4.0) * unknowns;
+    let vectors = (8.0 * 4.0 + 4.0 * 4.0) * unknowns;
     let solution = 8.0 * 2.0 * (u + unknowns);
     let set_up = (8.0 * blocks - vectors).max(0.0);
     let splines = boundary.map_or(0.0, |faces| coarse::memory(size, faces));
     let of_cell = if size.dimension() == 2 { 230.0 } else { 420.0 };
     let cells = of_cell * size.cells() as f64 + closures::memory(size.cells(), size.outer());
-    cells + 4.0 * blocks + vectors + solution + 12.0 * outer + set_up + splines
+    cells + 4.0 * blocks + vectors + solution + (4.0 + 8.0 / 8.0) * outer + set_up + splines
 }

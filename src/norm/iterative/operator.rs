@@ -10,6 +10,7 @@ use super::number::Number;
 use super::skeleton::Skeleton;
 use crate::norm::hhj::Hhj;
 use crate::parallel::{for_chunks, for_chunks_in};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The operator on the unknowns of a [`Skeleton`].
@@ -22,6 +23,8 @@ pub(super) struct Operator<T, const N: usize> {
 
 /// How many simplices add up their cells' contributions in one piece of work.
 const SIMPLICES: usize = 1024;
+/// In how many parts the cells are gone through.
+const PARTS: usize = 8;
 
 impl<T: Number, const N: usize> Operator<T, N> {
     pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>) -> Self {
@@ -32,9 +35,14 @@ impl<T: Number, const N: usize> Operator<T, N> {
         }
     }
 
-    /// How much room [`Operator::apply`] needs.
+    /// How much room [`Operator::apply`] needs: for a part of the cells. (The cycle's operator, which is in a hurry, has one for all.)
     pub fn room(&self) -> usize {
-        self.hhj.mesh().cell_count() * self.kernel.outer()
+        let batches = self.cells().div_ceil(CELLS).div_ceil(PARTS);
+        (batches * CELLS).min(self.cells()) * self.kernel.outer()
+    }
+
+    fn cells(&self) -> usize {
+        self.skeleton.order.cells.len()
     }
 
     /// The operations of [`Operator::apply`]: B̂ and B̂ᵀ without their zeros, twice W ⊗ I where there are bubbles, and T with Tᵀ.
@@ -56,27 +64,39 @@ impl<T: Number, const N: usize> Operator<T, N> {
     }
 
     /// y += factor · S x. `room` is overwritten.
-    pub fn add(&self, factor: T, x: &[T], y: &mut [T], room: &mut [T]) {
-        self.for_batches(room, &|work, out| work.image(x, out));
-        self.collect(room, y, factor);
+    fn add(&self, factor: T, x: &[T], y: &mut [T], room: &mut [T]) {
+        self.in_parts(room, &|work, out| work.image(x, out), &mut |cells, room| {
+            self.collect(cells, room, y, factor);
+        });
     }
 
-    /// `work` at all batches, with the place for their results.
-    fn for_batches(&self, room: &mut [T], work: &(dyn Fn(&mut Work<'_, T, N>, &mut [T]) + Sync)) {
-        let stride = CELLS * self.kernel.outer();
-        for_chunks_in(
-            room,
-            stride,
-            || Work::new(&self.kernel),
-            |batch, out, at| {
-                at.turn_to(batch);
-                work(at, out);
-            },
-        );
+    /// `work` at all batches, with the place for their results, some cells' at a time; `take` is given these.
+    fn in_parts(
+        &self,
+        room: &mut [T],
+        work: &(dyn Fn(&mut Work<'_, T, N>, &mut [T]) + Sync),
+        take: &mut dyn FnMut(Range<usize>, &[T]),
+    ) {
+        let outer = self.kernel.outer();
+        let of_part = self.room() / outer;
+        for begin in (0..self.cells()).step_by(of_part.max(1)) {
+            let cells = begin..self.cells().min(begin + of_part);
+            let room = &mut room[..cells.len() * outer];
+            for_chunks_in(
+                room,
+                CELLS * outer,
+                || Work::new(&self.kernel),
+                |batch, out, at| {
+                    at.turn_to(begin / CELLS + batch);
+                    work(at, out);
+                },
+            );
+            take(cells, room);
+        }
     }
 
-    /// y += factor · the sum over the cells.
-    pub fn collect(&self, room: &[T], y: &mut [T], factor: T) {
+    /// y += factor · the sum over some cells, whose results are in `room`.
+    pub fn collect(&self, cells: Range<usize>, room: &[T], y: &mut [T], factor: T) {
         let (order, layout) = (&self.skeleton.order, self.hhj.layout());
         let outer = self.kernel.outer();
         for (k, simplices) in order.layers.iter().enumerate() {
@@ -90,9 +110,10 @@ impl<T: Number, const N: usize> Operator<T, N> {
             let layer = self.skeleton.layer_mut(k, y);
             for_chunks(layer, SIMPLICES * width, |piece, layer| {
                 for (i, y) in layer.chunks_exact_mut(width).enumerate() {
-                    for (cell, which) in simplices.star(piece * SIMPLICES + i) {
-                        let of_cell = &room[cell * outer + starts[which]..][..width];
-                        for (y, x) in y.iter_mut().zip(of_cell) {
+                    let star = simplices.star(piece * SIMPLICES + i);
+                    for (cell, which) in star.filter(|(cell, _)| cells.contains(cell)) {
+                        let begin = (cell - cells.start) * outer + starts[which];
+                        for (y, x) in y.iter_mut().zip(&room[begin..begin + width]) {
                             *y = y.plus_product(factor, *x);
                         }
                     }
@@ -106,12 +127,14 @@ impl<T: Number, const N: usize> Operator<T, N> {
 impl<const N: usize> Operator<f64, N> {
     /// y −= A_sb A_bb⁻¹ f_b: the bubbles' load handed on to the other unknowns.
     pub fn condense(&self, load: &[f64], y: &mut [f64], room: &mut [f64]) {
-        self.for_batches(room, &|work, out| {
+        let bend = |work: &mut Work<'_, f64, N>, out: &mut [f64]| {
             work.y.fill(0.0);
             work.bend(&|place| load[place]);
             work.unload(out);
+        };
+        self.in_parts(room, &bend, &mut |cells, room| {
+            self.collect(cells, room, y, -1.0);
         });
-        self.collect(room, y, -1.0);
     }
 
     /// Writes the bubbles A_bb⁻¹ (f_b − A_bs x) into a deflection's coefficients. `room` is overwritten.
@@ -120,18 +143,20 @@ impl<const N: usize> Operator<f64, N> {
         if count == 0 {
             return;
         }
-        let (cells, stride) = (self.skeleton.order.cells.len(), CELLS * self.kernel.outer());
-        self.for_batches(room, &|work, out| {
+        let solve = |work: &mut Work<'_, f64, N>, out: &mut [f64]| {
             work.load(x);
             work.bend(&|place| load[place]);
             out[..work.t.len()].copy_from_slice(&work.t);
-        });
-        for cell in 0..cells {
-            let (batch, lane) = (cell / CELLS, cell % CELLS);
-            let lanes = CELLS.min(cells - batch * CELLS);
-            for (i, place) in self.skeleton.bubbles(cell).enumerate() {
-                coefficients[place] = room[batch * stride + i * lanes + lane];
+        };
+        let outer = self.kernel.outer();
+        self.in_parts(room, &solve, &mut |cells, room| {
+            for (i, cell) in cells.clone().enumerate() {
+                let (batch, lane) = (i - i % CELLS, i % CELLS);
+                let lanes = CELLS.min(cells.len() - batch);
+                for (bubble, place) in self.skeleton.bubbles(cell).enumerate() {
+                    coefficients[place] = room[batch * outer + bubble * lanes + lane];
+                }
             }
-        }
+        });
     }
 }

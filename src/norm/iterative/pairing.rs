@@ -1,4 +1,4 @@
-//! B̂ without the bubbles' columns, as products of its blocks that are not zero: a third of it is left.
+//! B̂ without the bubbles' columns, as products of its blocks that are not zero: less than half of it in space.
 
 use super::number::Number;
 use super::product::Product;
