@@ -118,7 +118,8 @@ impl Upper {
 }
 
 /// Zeros that are written: those that the system gives are pages of its own until they are, and to read such a page first, as
-/// adding to an entry does, is to be given it twice. Measured, it is a tenth of a whole solution in the plane.
+/// adding to an entry does, is to be given it twice. Table 1 takes 7 to 11 % more
+/// of the processor with these.
 fn zeros(len: usize) -> Vec<f64> {
     let mut zeros = Vec::with_capacity(len);
     zeros.resize(len, 0.0);
@@ -128,7 +129,8 @@ fn zeros(len: usize) -> Vec<f64> {
 /// That a direct solver cannot do it.
 pub(super) fn too_large(unknowns: usize) -> Error {
     Error::Solver(format!(
-        "{unknowns} unknowns are too many for a direct solver: its matrices have at most 2³¹ entries (17 GB)"
+        "{unknowns} unknowns are too many for the direct solver, whose matrices have at most 2³¹ entries (17 GB): take fewer cells or a \
+         lower degree"
     ))
 }
 
