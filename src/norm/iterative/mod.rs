@@ -170,5 +170,5 @@ pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let splines = boundary.map_or(0.0, |faces| coarse::memory(size, faces));
     let of_cell = if size.dimension() == 2 { 230.0 } else { 420.0 };
     let cells = of_cell * size.cells() as f64 + closures::memory(size.cells(), size.outer());
-    cells + 4.0 * blocks + vectors + solution + (4.0 + 8.0 / 8.0) * outer + set_up + splines
+    cells + 4.0 * blocks + vectors + solution + 5.0 * outer + set_up + splines
 }
