@@ -34,23 +34,27 @@ impl Upper {
         let mut above = Neighbours::new(offsets.len() - 1, cells, blocks);
         let of_block =
             |block: u32| offsets[block as usize] as u32..offsets[block as usize + 1] as u32;
-        let (mut columns, mut rows) = (vec![0], Vec::new());
+        let mut entries = 0;
         for block in 0..offsets.len() - 1 {
-            let mut begin = 0;
+            let (mut begin, width) = (0, of_block(block as u32).len());
             for (other, start) in above.of_mut(block) {
                 *start = begin;
                 begin += of_block(*other).len() as u32;
             }
+            entries += width * begin as usize + width * (width + 1) / 2;
+        }
+        // The solver's indices have a sign.
+        if entries > i32::MAX as usize {
+            return Err(too_large(offsets[offsets.len() - 1]));
+        }
+        let (mut columns, mut rows) = (vec![0], Vec::with_capacity(entries));
+        for block in 0..offsets.len() - 1 {
             for column in of_block(block as u32) {
                 for &(other, _) in above.of(block) {
                     rows.extend(of_block(other));
                 }
                 rows.extend(offsets[block] as u32..=column);
                 columns.push(rows.len() as u32);
-            }
-            // The solver's indices have a sign.
-            if rows.len() > i32::MAX as usize {
-                return Err(too_large(offsets[offsets.len() - 1]));
             }
         }
         Ok(Self {
@@ -118,8 +122,7 @@ impl Upper {
 }
 
 /// Zeros that are written: those that the system gives are pages of its own until they are, and to read such a page first, as
-/// adding to an entry does, is to be given it twice. Table 1 takes 7 to 11 % more
-/// of the processor with these.
+/// adding to an entry does, is to be given it twice. Table 1 takes 7 to 11 % more of the processor with these.
 fn zeros(len: usize) -> Vec<f64> {
     let mut zeros = Vec::with_capacity(len);
     zeros.resize(len, 0.0);
@@ -177,5 +180,16 @@ mod tests {
         let vector = DMatrix::from_column_slice(5, 1, &x);
         let energy = (vector.transpose() * expected * vector)[(0, 0)];
         assert!((upper.energy(&x) - energy).abs() < 1e-12);
+    }
+
+    /// It is refused before anything is made of that size: 2¹⁶ unknowns in one cell have 2³¹ + 2¹⁵ pairs.
+    #[test]
+    fn too_many_entries() {
+        let cell = |_: usize| vec![CellBlock { block: 0, start: 0 }];
+        let error = Upper::new(vec![0, 1 << 16], 1, &cell).unwrap_err();
+        assert!(
+            error.to_string().contains("65536 unknowns are too many"),
+            "{error}"
+        );
     }
 }

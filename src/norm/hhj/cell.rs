@@ -94,14 +94,10 @@ impl<const N: usize> Shape<N> {
     /// The coefficients of σ in a cell from those of (u, û): component a along φ_k in `[(k, a)]`.
     pub fn tensor(&self, element: &Element<N>, local: &[f64]) -> DMatrix<f64> {
         let mut reference = DVector::from_column_slice(local);
-        let p = element.degree as f64;
         for (moment, shape) in self.moments(element) {
             reference[moment.slope] *= shape.height;
-            for (v, &index) in moment.raised.iter().enumerate() {
-                reference[moment.slope] -= p * shape.tangent[v] * local[index];
-            }
-            if let Some(index) = element.layout.opposite(moment) {
-                reference[moment.slope] += p * local[index];
+            for (index, factor) in shape.derivative(element, moment) {
+                reference[moment.slope] -= factor * local[index];
             }
         }
         let y = &element.pairing * reference;
@@ -118,8 +114,7 @@ impl<const N: usize> Shape<N> {
         s
     }
 
-    /// ŵ_β = ±h û_β − p (Σ_v τ_v u_{β+e_v} − u_{β+e_f}), all of them, v the vertices of the face and f the other one: the derivative of
-    /// a Bernstein polynomial of degree p along τ is p Σ_v τ_v B_{α−e_v}.
+    /// All ŵ_β, with the faces that they belong to.
     fn moments<'a>(
         &'a self,
         element: &'a Element<N>,
@@ -136,6 +131,23 @@ where
     T: Copy + From<f32> + Add<Output = T> + Mul<Output = T>,
 {
     T::from(0.5) * (ik * jl + il * jk)
+}
+
+impl<const N: usize> FaceShape<N> {
+    /// ŵ_β = ±h û_β − p (Σ_v τ_v u_{β+e_v} − u_{β+e_f}), v the vertices of the face and f the other one: the u in the bracket, without
+    /// bubbles, and what they are multiplied by. The derivative of a Bernstein polynomial B_α of degree p along τ is p Σ_v τ_v B_{α−e_v}.
+    fn derivative(
+        &self,
+        element: &Element<N>,
+        moment: &FaceMoment,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let p = element.degree as f64;
+        let of_face = moment.raised.iter().zip(self.tangent);
+        let opposite = element.layout.opposite(moment).map(|index| (index, -p));
+        of_face
+            .map(move |(&index, tau)| (index, p * tau))
+            .chain(opposite)
+    }
 }
 
 /// The face opposite to vertex `f`.
@@ -166,15 +178,9 @@ fn combine_columns<const N: usize>(
     moment: &FaceMoment,
     shape: &FaceShape<N>,
 ) {
-    let p = element.degree as f64;
-    let of_face = moment.raised.iter().zip(shape.tangent);
-    let opposite = element.layout.opposite(moment).map(|index| (index, p));
-    for (index, factor) in of_face
-        .map(|(&index, tau)| (index, -p * tau))
-        .chain(opposite)
-    {
+    for (index, factor) in shape.derivative(element, moment) {
         let (mut target, source) = a.columns_range_pair_mut(index, moment.slope);
-        target.axpy(factor, &source, 1.0);
+        target.axpy(-factor, &source, 1.0);
     }
     a.column_mut(moment.slope).scale_mut(shape.height);
 }

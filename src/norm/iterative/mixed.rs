@@ -37,7 +37,7 @@ impl<const N: usize> Mixed<N> {
 
     /// How much room [`Mixed::apply`] needs.
     pub fn room(&self) -> usize {
-        self.single.skeleton.order.cells.len() * self.single.kernel.outer()
+        self.single.cells() * self.single.kernel.outer()
     }
 
     /// How many unknowns.
@@ -78,7 +78,6 @@ impl<const N: usize> Mixed<N> {
                 }
             },
         );
-        let cells = 0..self.single.skeleton.order.cells.len();
-        self.single.collect(cells, room, y, factor);
+        self.single.collect(0..self.single.cells(), room, y, factor);
     }
 }

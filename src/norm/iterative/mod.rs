@@ -155,7 +155,8 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
 /// The bytes that the iteration takes: the cells' geometry, in both precisions, and order; inverse blocks in single precision, and in
 /// double precision those of as many bad cells as may have one; four vectors of conjugate gradients and four of the cycle, which are
 /// half as long; the load and the solution; a place for each cell's result, and for an eighth of them in double precision. While they
-/// are set up the simplices' blocks are there in double precision too, and where the mesh is no cube with so many faces in ∂Ω the splines' rows.
+/// are set up the simplices' blocks are there in double precision too, and where the mesh is no cube with so many faces in ∂Ω the
+/// splines' rows.
 pub(super) fn memory(size: &Size, boundary: Option<usize>) -> f64 {
     let [blocks, unknowns, u, outer] = [
         size.blocks(),

@@ -41,7 +41,8 @@ impl<T: Number, const N: usize> Operator<T, N> {
         (batches * CELLS).min(self.cells()) * self.kernel.outer()
     }
 
-    fn cells(&self) -> usize {
+    /// How many cells.
+    pub fn cells(&self) -> usize {
         self.skeleton.order.cells.len()
     }
 

@@ -5,7 +5,7 @@
 
 use super::number::Number;
 
-/// How many sums of a lane are added up side by side, and how many lanes: they fit into registers.
+/// How many sums of a lane are added up side by side, and how many lanes: in single precision they fit into registers.
 const SUMS: usize = 4;
 const WIDTH: usize = 32;
 
