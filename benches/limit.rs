@@ -2,7 +2,7 @@
 //! bare multiply-adds, on one thread.
 //!
 //! The operations are counted, not estimated: a scalar that counts goes through the same kernel. `cargo bench -p
-//! regge-curvature --bench limit` prints the table of docs/performance.md.
+//! regge-benches --bench limit` prints the table of docs/performance.md.
 
 use nalgebra::DMatrix;
 use regge_curvature::scalar::{Algebraic, Field, Lanes, Lift, Number, Real};

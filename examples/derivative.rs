@@ -1,7 +1,9 @@
 //! The curvature differentiated in the metric, by the same code at dual numbers.
 //!
 //! d/dt ⟨(Rω)_dist(g + tσ), v⟩ = b_h(g; σ, v) − a_h(g; σ, v) (Paper: thm:distcurvdot): the left side by automatic
-//! differentiation, the right side by the paper's formulas. `cargo run --example derivative`
+//! differentiation, the right side by the paper's formulas.
+//!
+//! `cargo run --release -p regge-examples --bin derivative`
 
 use num_dual::Dual64;
 use regge_curvature::field::Combination;

@@ -1,6 +1,8 @@
 //! Gauss and Bonnet with a boundary, and the curvature as a function: R_h, its L² projection.
 //!
-//! A piece of the unit sphere in the stereographic chart, R = 2. `cargo run --example gauss_bonnet`
+//! A piece of the unit sphere in the stereographic chart, R = 2.
+//!
+//! `cargo run --release -p regge-examples --bin gauss_bonnet`
 
 use regge_curvature::functional::boundary_curvature;
 use regge_curvature::project::{Projection, Tested};

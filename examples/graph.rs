@@ -1,7 +1,9 @@
 //! A metric by a formula of your own, its Regge interpolant, and how the curvature converges.
 //!
 //! The surface z = sin x cos y; its scalar curvature comes out of the same kernel from exact derivatives. Interpolants
-//! of degree r converge in H⁻² with order r + 1 (at least for r ≥ 1; Paper: cor:conv). `cargo run --example graph`
+//! of degree r converge in H⁻² with order r + 1 (at least for r ≥ 1; Paper: cor:conv).
+//!
+//! `cargo run --release -p regge-examples --bin graph`
 
 use regge_curvature::functional::smooth_curvature;
 use regge_curvature::linalg::{Mat, symmetric};

@@ -5,7 +5,9 @@
 //! to another one: at a flat metric an inner vertex may move in space without any curvature. So the Jacobian of the
 //! gradient, the Hessian of the action, has N kernel directions for each inner vertex. The cube is made to bulge first: a
 //! vertex inside a flat part of the boundary could move outwards with no change of length to first order, and would add a
-//! direction of its own. `cargo run --example relax`
+//! direction of its own.
+//!
+//! `cargo run --release -p regge-examples --bin relax`
 
 use nalgebra::{DMatrix, DVector};
 use regge_curvature::functional::{action_gradient, action_hessian, angle_defects, regge_action};

@@ -1,7 +1,9 @@
 //! Classical Regge calculus: the curvature of a sphere from edge lengths alone.
 //!
 //! The octahedron's edges are halved again and again, the vertices pushed onto the unit sphere; only the lengths are
-//! kept. Gauss and Bonnet: the total curvature is 8π on every mesh. `cargo run --example sphere`
+//! kept. Gauss and Bonnet: the total curvature is 8π on every mesh.
+//!
+//! `cargo run --release -p regge-examples --bin sphere`
 
 use regge_curvature::functional::angle_defects;
 use regge_curvature::{Lagrange, Mesh, ReggeSpace, Rules, distributional_curvature};

@@ -1,6 +1,6 @@
 //! What needs the norm of H⁻², as one program: what is generic is compiled once for all of its files.
 //!
-//! `cargo test -p regge --test norms convergence` runs one of them.
+//! `cargo test -p regge-curvature --test norms convergence` runs one of them.
 
 mod common;
 mod convergence;

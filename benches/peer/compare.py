@@ -46,7 +46,7 @@ def run(command):
 def build(command_line):
     """Our program and, if it is needed, our command line."""
     cargo = ["cargo", "build", "--release", "--quiet"]
-    subprocess.run([*cargo, "-p", "regge-peer"], cwd=ROOT, check=True)
+    subprocess.run([*cargo, "-p", "regge-benches", "--bin", "ours"], cwd=ROOT, check=True)
     if command_line:
         subprocess.run([*cargo, "-p", "regge-cli"], cwd=ROOT, check=True)
     target = ROOT / "target" / "release"

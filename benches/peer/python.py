@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the door to Python costs: `regge.curvature` beside the same call in Rust, on 131 072 triangles.
 
-    cargo build --release -p regge-peer
+    cargo build --release -p regge-benches --bin ours
     pip install ./python
     python benches/peer/python.py [--degree 1] [--pairs 20] [--callgrind]
 

@@ -67,14 +67,17 @@ impl<const N: usize> Kind<N> {
 }
 
 // A norm is much code. Functions without parameters that are never inlined are compiled here, once, and what they refer to is
-// not compiled again with everything that looks a name up.
+// not compiled again with everything that looks a name up. The library's own tests look none up, and what is inlined is
+// compiled only where it is used.
 
-#[inline(never)]
+#[cfg_attr(not(test), inline(never))]
+#[cfg_attr(test, inline)]
 fn in_the_plane() -> &'static [Kind<2>] {
     Kind::TABLE
 }
 
-#[inline(never)]
+#[cfg_attr(not(test), inline(never))]
+#[cfg_attr(test, inline)]
 fn in_space() -> &'static [Kind<3>] {
     Kind::TABLE
 }

@@ -52,7 +52,8 @@ pub fn check(property: impl Fn(&mut Source<'_>) -> Outcome) {
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let numbers = proptest::collection::vec(-1.0..1.0, NUMBERS);
     let taken = Cell::new(0);
-    let draw = |numbers: Vec<f64>| {
+    // proptest is compiled anew for each type of what it runs.
+    let draw: &dyn Fn(Vec<f64>) -> Outcome = &|numbers| {
         let mut source = Source(numbers.iter());
         let outcome = property(&mut source);
         taken.set(taken.get().max(NUMBERS - source.0.len()));

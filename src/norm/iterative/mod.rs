@@ -16,19 +16,16 @@ mod pairing;
 mod product;
 mod skeleton;
 mod smoother;
+mod solver;
 
 use super::dual::{Representative, Step, Target};
 use super::hhj::{Hhj, Size};
 use super::solver::BiharmonicSolver;
 use crate::Error;
 use crate::mesh::Mesh;
-use coarse::Coarse;
 pub(super) use coarse::lattice::Lattice;
-use cycle::Cycle;
-use jacobi::BlockJacobi;
-use mixed::Mixed;
-use operator::Operator;
-use skeleton::Skeleton;
+use solver::{Iterates, Solver};
+use std::any::Any;
 use std::sync::Arc;
 
 /// Conjugate gradients for meshes with points in the plane and in space. Nothing of the operator is stored; its bits do
@@ -39,15 +36,16 @@ use std::sync::Arc;
 /// a cycle over coarser and coarser splines.
 #[derive(Debug)]
 pub struct Iterative<const N: usize> {
-    operator: Arc<Operator<f64, N>>,
-    cycle: Cycle<N>,
-    target: Target,
+    solver: Box<dyn Iterates<N>>,
 }
+
+/// What sets up a solver.
+type Make<const N: usize> = fn(Arc<Hhj<N>>, Target) -> Result<Box<dyn Iterates<N>>, Error>;
 
 impl<const N: usize> Iterative<N> {
     /// Is it for this mesh?
     pub fn suits(mesh: &Mesh<N>) -> bool {
-        (2..=3).contains(&N) && mesh.points().is_some()
+        Self::make().is_some() && mesh.points().is_some()
     }
 
     /// Sets up the preconditioner for a discretisation, which is taken as it is or shared. It will iterate to
@@ -65,33 +63,52 @@ impl<const N: usize> Iterative<N> {
     /// As [`Iterative::new`].
     pub fn with_target(hhj: impl Into<Arc<Hhj<N>>>, target: Target) -> Result<Self, Error> {
         let hhj = hhj.into();
-        if !Self::suits(hhj.mesh()) {
+        let make = Self::make().filter(|_| hhj.mesh().points().is_some());
+        let Some(make) = make else {
             let reason =
                 "the iterative solver is for meshes in the plane and in space that have points";
             return Err(Error::Input(reason.into()));
-        }
-        let skeleton = Arc::new(Skeleton::new(hhj.mesh(), hhj.space().degree()));
-        let coarse = Coarse::new(&hhj, &skeleton)?;
-        let jacobi = BlockJacobi::new(&hhj, &skeleton)?;
-        let operator = Arc::new(Operator::new(&hhj, &skeleton));
-        Ok(Self {
-            cycle: Cycle::new(Mixed::new(&operator), jacobi, coarse),
-            operator,
-            target,
-        })
+        };
+        let solver = make(hhj, target)?;
+        Ok(Self { solver })
     }
+
+    fn make() -> Option<Make<N>> {
+        let (plane, space): (Make<2>, Make<3>) = (in_the_plane, in_space);
+        let make: &dyn Any = match N {
+            2 => &plane,
+            3 => &space,
+            _ => return None,
+        };
+        let make = make.downcast_ref::<Make<N>>();
+        Some(*make.expect("each is for its N"))
+    }
+}
+
+// The solver is much code, compiled once, and not at all for the library's own tests, as in the table of norms.
+
+#[cfg_attr(not(test), inline(never))]
+#[cfg_attr(test, inline)]
+fn in_the_plane(hhj: Arc<Hhj<2>>, target: Target) -> Result<Box<dyn Iterates<2>>, Error> {
+    Ok(Box::new(Solver::new(hhj, target)?))
+}
+
+#[cfg_attr(not(test), inline(never))]
+#[cfg_attr(test, inline)]
+fn in_space(hhj: Arc<Hhj<3>>, target: Target) -> Result<Box<dyn Iterates<3>>, Error> {
+    Ok(Box::new(Solver::new(hhj, target)?))
 }
 
 /// What benches measure.
 impl<const N: usize> Iterative<N> {
     /// How many unknowns it iterates on: u without its bubbles, and û, inside Ω.
     pub fn unknowns(&self) -> usize {
-        self.operator.skeleton.len()
+        self.solver.unknowns()
     }
 
     /// How many additions and multiplications one application of the operator is, as dense products count them.
     pub fn operations(&self) -> f64 {
-        self.operator.operations()
+        self.solver.operations()
     }
 
     /// y = S x for the condensed operator S on all unknowns; `room` is overwritten and of the right size after the
@@ -101,8 +118,7 @@ impl<const N: usize> Iterative<N> {
     /// If x or y has not [`Iterative::unknowns`] entries.
     pub fn apply(&self, x: &[f64], y: &mut [f64], room: &mut Vec<f64>) {
         assert!(x.len() == self.unknowns() && y.len() == x.len());
-        room.resize(self.operator.room(), 0.0);
-        self.operator.apply(x, y, room);
+        self.solver.apply(x, y, room);
     }
 
     /// z = M⁻¹ r for the preconditioner M.
@@ -111,15 +127,13 @@ impl<const N: usize> Iterative<N> {
     /// If r or z has not [`Iterative::unknowns`] entries.
     pub fn precondition(&self, r: &[f64], z: &mut [f64]) {
         assert!(r.len() == self.unknowns() && z.len() == r.len());
-        let mut workshop = self.cycle.workshop();
-        let size = self.cycle.apply(r, &mut workshop);
-        cg::convert(&workshop.z, size, z);
+        self.solver.precondition(r, z);
     }
 }
 
 impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
     fn hhj(&self) -> &Hhj<N> {
-        &self.operator.hhj
+        self.solver.hhj()
     }
 
     fn name(&self) -> &'static str {
@@ -127,28 +141,7 @@ impl<const N: usize> BiharmonicSolver<N> for Iterative<N> {
     }
 
     fn solve(&self, load: &[f64], watch: &mut dyn FnMut(Step)) -> Result<Representative, Error> {
-        assert_eq!(
-            load.len(),
-            self.hhj().space().len(),
-            "a load of another space"
-        );
-        let (operator, skeleton) = (&self.operator, &self.operator.skeleton);
-        let mut r = skeleton.gather(load);
-        let mut room = (vec![0.0; operator.room()], self.cycle.workshop());
-        operator.condense(load, &mut r, &mut room.0);
-        let x = cg::solve(
-            r,
-            self.target,
-            &mut room,
-            |p, q, (room, _)| operator.apply(p, q, room),
-            |r, (_, workshop)| self.cycle.apply(r, workshop),
-            |(_, workshop)| &workshop.z,
-            watch,
-        )?;
-        let mut coefficients = vec![0.0; self.hhj().len()];
-        skeleton.scatter(&x, &mut coefficients);
-        operator.bubbles(load, &x, &mut coefficients, &mut room.0);
-        Ok(Representative { coefficients })
+        self.solver.solve(load, watch)
     }
 }
 
