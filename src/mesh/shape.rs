@@ -34,36 +34,3 @@ impl<const N: usize> Mesh<N> {
         Some(n * determinant.max(0.0).powf(1.0 / n) / trace)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::linalg::Vector;
-
-    fn one<const N: usize>(points: &[[f64; N]]) -> Mesh<N> {
-        let points = points.iter().map(|&x| Vector::from(x)).collect();
-        Mesh::new(points, &[(0..=N).collect()]).unwrap()
-    }
-
-    /// 1 for regular cells, by the edges and the volume for others, and the same for a cell of any size, up to rounding: that of the
-    /// regular ones is a few units, that of the others is multiplied by the condition of their Gram matrix, some 10².
-    #[test]
-    fn mean_ratios() {
-        let equilateral = one([[0.0, 0.0], [2.0, 0.0], [1.0, 3_f64.sqrt()]].as_slice());
-        let regular = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0]];
-        let regular = one(&[&regular[..], &[[-1.0, -1.0, 1.0]]].concat());
-        assert!((equilateral.mean_ratio(0).unwrap() - 1.0).abs() < 1e-14);
-        assert!((regular.mean_ratio(0).unwrap() - 1.0).abs() < 1e-14);
-        for scale in [1.0, 1e-3] {
-            let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.3, 0.8, 0.1], [0.2, 0.4, 0.15]];
-            let points = points.map(|x| x.map(|x| scale * x));
-            let mesh = one(&points);
-            let squares = (0..4).flat_map(|i| (0..i).map(move |j| (i, j)));
-            let squares = squares
-                .map(|(i, j)| (Vector::from(points[i]) - Vector::from(points[j])).norm_squared());
-            let volume = mesh.jacobian(0).unwrap().determinant().abs() / 6.0;
-            let expected = 12.0 * (3.0 * volume).powf(2.0 / 3.0) / squares.sum::<f64>();
-            assert!((mesh.mean_ratio(0).unwrap() / expected - 1.0).abs() < 1e-12);
-        }
-    }
-}

@@ -52,22 +52,3 @@ fn onto(j: usize, k: usize) -> usize {
         _ => k * (onto(j - 1, k) + onto(j - 1, k - 1)),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_the_cube() {
-        fn check<const N: usize>(sides: &[usize]) {
-            for &side in sides {
-                let mesh = Mesh::<N>::cube(side).unwrap();
-                let census = Census::cube(N, side);
-                assert_eq!(census, Census::of(&mesh), "{N}, {side}");
-            }
-        }
-        check::<2>(&[1, 2, 5]);
-        check::<3>(&[1, 2, 3]);
-        check::<4>(&[1, 2]);
-    }
-}
