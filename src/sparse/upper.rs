@@ -2,6 +2,7 @@
 
 use super::neighbours::{CellBlock, Neighbours};
 use crate::Error;
+use crate::parallel::zeros;
 use nalgebra::DMatrix;
 
 /// The upper triangle of a symmetric matrix whose pattern consists of blocks: all pairs of unknowns whose blocks share
@@ -119,14 +120,6 @@ impl Upper {
             .expect("blocks that share a cell are in the pattern");
         list[position].1 as usize
     }
-}
-
-/// Zeros that are written: those that the system gives are pages of its own until they are, and to read such a page first, as
-/// adding to an entry does, is to be given it twice. Table 1 takes 7 to 11 % more of the processor with these.
-fn zeros(len: usize) -> Vec<f64> {
-    let mut zeros = Vec::with_capacity(len);
-    zeros.resize(len, 0.0);
-    zeros
 }
 
 /// That a direct solver cannot do it.

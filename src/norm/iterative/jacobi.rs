@@ -7,7 +7,7 @@ use crate::Error;
 use crate::mesh::Mesh;
 use crate::norm::hhj::Hhj;
 use crate::norm::hhj::layout::Layout;
-use crate::parallel::{for_chunks, in_order};
+use crate::parallel::{for_chunks, in_order, zeros};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -79,9 +79,9 @@ struct Diagonal {
 impl Diagonal {
     fn new<const N: usize>(hhj: &Hhj<N>, skeleton: &Skeleton, plan: &Plan) -> Self {
         let (layout, order) = (hhj.layout(), &skeleton.order);
-        let zeros = |k: usize| vec![0.0; packed(skeleton.widths[k]) * order.layers[k].free];
+        let of_layer = |k: usize| zeros(packed(skeleton.widths[k]) * order.layers[k].free);
         let mut sums = Self {
-            simplices: (0..N).map(zeros).collect(),
+            simplices: (0..N).map(of_layer).collect(),
             closures: plan.zeros(),
         };
         let blocks = |cell: usize| {

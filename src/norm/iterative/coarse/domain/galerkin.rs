@@ -164,9 +164,11 @@ impl<const N: usize> Finest<'_, N> {
 
     /// Adds what the cells near ∂Ω and the flat ones have: some forms at a time, and these plane by plane.
     fn add_cells(&self, planes: &mut [Plane<N>]) {
-        let mut forms: Vec<CellForm<N>> = Vec::new();
-        forms.resize_with(AT_ONCE.min(self.near.len()), CellForm::default);
-        for cells in self.near.chunks(AT_ONCE) {
+        let (mut forms, mut rest) = (Vec::new(), &self.near[..]);
+        while !rest.is_empty() {
+            let (cells, after) = rest.split_at(self.at_once(rest));
+            rest = after;
+            forms.resize_with(cells.len().max(forms.len()), CellForm::default);
             let forms = &mut forms[..cells.len()];
             for_chunks(forms, 1, |i, form| self.make(cells[i], &mut form[0]));
             let forms = &*forms;
@@ -176,6 +178,16 @@ impl<const N: usize> Finest<'_, N> {
                 }
             });
         }
+    }
+
+    /// The forms of how many of the first of these cells are made at a time.
+    fn at_once(&self, cells: &[u32]) -> usize {
+        let mut numbers = 0;
+        let fits = |&&cell: &&u32| {
+            numbers += self.transfer.reached(&self.corners(cell)).len().pow(2);
+            numbers <= AT_ONCE
+        };
+        cells.iter().take_while(fits).count().max(1)
     }
 
     /// Adds what a cell has for the rows of a plane.
@@ -231,8 +243,9 @@ impl<const N: usize> Default for CellForm<N> {
     }
 }
 
-/// How many cells' forms are there at a time: enough for some threads, and at p = 4 half a megabyte each.
-const AT_ONCE: usize = 32;
+/// How many numbers the cells' forms have that are there at a time, 8 MB of them: those of some 16 cells at p = 4 and of 130 at p = 2,
+/// so that threads seldom wait for the last form.
+const AT_ONCE: usize = 1 << 21;
 
 /// In how many strips a form is made: with four, 5/8 of a square are computed for the half that is wanted.
 const STRIPS: usize = 4;

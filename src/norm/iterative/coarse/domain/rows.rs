@@ -3,6 +3,7 @@
 
 use super::super::patch::Patch;
 use super::super::stencil::Short;
+use crate::parallel::zeros;
 
 /// The stored rows of a plane across the last axis.
 #[derive(Clone, Debug, Default)]
@@ -47,7 +48,7 @@ impl<const N: usize> Plane<N> {
         Self {
             rows: list,
             places,
-            values: vec![0.0; start],
+            values: zeros(start),
         }
     }
 
