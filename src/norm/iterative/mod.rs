@@ -99,7 +99,7 @@ fn in_space(hhj: Arc<Hhj<3>>, target: Target) -> Result<Box<dyn Iterates<3>>, Er
     Ok(Box::new(Solver::new(hhj, target)?))
 }
 
-/// What benches measure.
+/// What benches measure, and tests look at.
 impl<const N: usize> Iterative<N> {
     /// How many unknowns it iterates on: u without its bubbles, and û, inside Ω.
     pub fn unknowns(&self) -> usize {
