@@ -32,7 +32,7 @@ pub use entry::{Entry, Failure, Forgery, Vacuous, Verdict};
 pub use equation::{Equation, Forged, Relation, Term};
 pub use judgement::{Judgement, Method};
 pub use lists::{each, list, others, pairwise, table};
-pub use proof::{Goal, Moved, Moves, Proofs, Variable, Wrong};
+pub use proof::{AtPoints, Goal, Moved, Moves, Proofs, Variable, Wrong};
 pub use proved::{Proof, Proved};
 pub use record::{ENOUGH, Excuses, Record};
 pub use scalar::{Components, Drawn, Ground, Timed};

@@ -7,6 +7,7 @@ use crate::harness::bound::{Bound, identities};
 use crate::harness::case::Key;
 use crate::harness::equation::Equation;
 use crate::harness::judgement::Judgement;
+use crate::harness::proof::AtPoints;
 use crate::harness::scalar::{Drawn, Ground};
 use crate::harness::tally::{Case, Tally};
 use proptest::strategy::{Strategy, ValueTree};
@@ -20,8 +21,8 @@ pub struct OnPrograms {
     pub cases: Cases,
     /// What each of the numbers of a case is, by name.
     pub groups: fn() -> Vec<String>,
-    /// The equations of the case with these numbers, the library computing by these formulas.
-    pub equations: fn(&[Recorded], &Formulas) -> Vec<Equation<Recorded>>,
+    /// The equations of the case with these numbers.
+    pub claim: &'static dyn AtPoints,
 }
 
 /// A claim, recorded.
@@ -65,7 +66,7 @@ impl OnPrograms {
     fn record(&self, formulas: &Formulas) -> Claim {
         let groups = (self.groups)();
         let (program, (equations, differences)) = record(groups.len(), |numbers| {
-            let equations = (self.equations)(numbers, formulas);
+            let equations = self.claim.equations(numbers, formulas);
             let differences = identities(&equations);
             (equations, differences)
         });

@@ -24,6 +24,7 @@ use super::proved::Proof;
 use crate::exact::{Recorded, record};
 use position::InPosition;
 use regge_curvature::formulas::Formulas;
+use std::fmt::Debug;
 
 /// A number of an instance in normal position.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,9 +35,36 @@ pub struct Variable {
     pub name: String,
 }
 
+/// The equations of a claim at an instance that is made of these numbers, the library computing by these formulas.
+pub trait AtPoints: Debug + Sync {
+    /// In any position.
+    fn equations(&self, numbers: &[Recorded], formulas: &Formulas) -> Vec<Equation<Recorded>>;
+
+    /// In this normal position, and the numbers of which roots are products.
+    fn reduced(
+        &self,
+        form: usize,
+        numbers: &[Recorded],
+        formulas: &Formulas,
+    ) -> (Vec<Equation<Recorded>>, Vec<Recorded>);
+
+    /// At the same instance in other coordinates, which are fixed.
+    fn elsewhere(
+        &self,
+        form: usize,
+        numbers: &[Recorded],
+        formulas: &Formulas,
+    ) -> Vec<Equation<Recorded>>;
+
+    /// In two systems of coordinates.
+    fn moved(&self, form: usize, numbers: &[Recorded], formulas: &Formulas) -> Moved;
+}
+
 /// What is known of a claim for its proof.
 #[derive(Clone, Copy, Debug)]
 pub struct Proofs {
+    /// Its equations.
+    pub claim: &'static dyn AtPoints,
     /// How many normal positions there are.
     pub forms: usize,
     /// What they are, in words.
@@ -47,18 +75,10 @@ pub struct Proofs {
     pub allows: fn(usize, &str) -> bool,
     /// What each number of an instance in any position is, by name.
     pub groups: fn() -> Vec<String>,
-    /// The equations in any position.
-    pub equations: fn(&[Recorded], &Formulas) -> Vec<Equation<Recorded>>,
     /// What each number of an instance in normal position is.
     pub variables: fn(usize) -> Vec<Variable>,
-    /// The equations there, and the numbers of which roots are products.
-    pub reduced: fn(usize, &[Recorded], &Formulas) -> (Vec<Equation<Recorded>>, Vec<Recorded>),
-    /// The equations at the same instance in other coordinates, which are fixed.
-    pub elsewhere: fn(usize, &[Recorded], &Formulas) -> Vec<Equation<Recorded>>,
     /// How many further numbers a change of coordinates takes; none where nothing is changed.
     pub changes: fn(usize) -> usize,
-    /// The equations in two systems of coordinates.
-    pub moved: fn(usize, &[Recorded], &Formulas) -> Moved,
 }
 
 /// How it went.
@@ -114,7 +134,7 @@ impl Proofs {
             return;
         }
         let variables = at.jets.variables;
-        let in_others = |x: &[Recorded]| at.parts.cut(&(self.elsewhere)(at.form, x, formulas));
+        let in_others = |x: &[Recorded]| at.parts.cut(&self.claim.elsewhere(at.form, x, formulas));
         let (program, equations) = record(variables.len(), in_others);
         let equation = &equations[at.equation];
         if !elsewhere::refute(&program, equation, variables, &mut result.forgeries) {

@@ -77,7 +77,7 @@ impl Proofs {
         }
         let mut groups = (self.groups)();
         groups.extend(std::iter::repeat_n("A".to_owned(), extra));
-        let in_both = |x: &[Recorded]| (self.moved)(form, x, formulas).cut(parts);
+        let in_both = |x: &[Recorded]| self.claim.moved(form, x, formulas).cut(parts);
         let (program, moved) = record(groups.len(), in_both);
         let kinds = kinds(&program, groups.len(), &moved, wanted, key);
         let (program, differences) = record(groups.len(), |x| {

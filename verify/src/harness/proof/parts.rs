@@ -25,7 +25,7 @@ impl Parts {
     /// Of all equations of a claim. That their parts vanish is so by the paper's formulas, whichever are to be proved.
     pub fn of(proofs: &Proofs, key: Key<'_>) -> Self {
         let groups = (proofs.groups)();
-        let (program, equations) = record(groups.len(), |x| (proofs.equations)(x, &PAPER));
+        let (program, equations) = record(groups.len(), |x| proofs.claim.equations(x, &PAPER));
         let second = program.depending(&|k| (proofs.second)(&groups[k]));
         let mut parts = Vec::new();
         for (equation, whole) in equations.iter().enumerate() {
@@ -100,7 +100,7 @@ fn halves(equation: &Equation<Recorded>, second: &[bool]) -> Option<Vec<bool>> {
 fn vanish(halves: &[Part; 2], proofs: &Proofs, key: Key<'_>) -> bool {
     let count = (proofs.groups)().len();
     let recorded = |x: &[Recorded]| {
-        let equations = (proofs.equations)(x, &PAPER);
+        let equations = proofs.claim.equations(x, &PAPER);
         let differences = halves.iter().map(|h| h.cut(&equations).difference(&[]));
         differences.flatten().collect::<Vec<_>>()
     };

@@ -81,7 +81,7 @@ impl Proofs {
             groups: &numbers,
         };
         let (program, (equations, bases)) = record(variables.len(), |x| {
-            let (equations, bases) = (self.reduced)(place.form, x, formulas);
+            let (equations, bases) = self.claim.reduced(place.form, x, formulas);
             (place.parts.cut(&equations), bases)
         });
         let settled = |k: &usize| {
@@ -103,8 +103,9 @@ impl Proofs {
     /// Which groups of numbers the terms of each part of an equation depend on.
     fn dependences(&self, parts: &Parts, formulas: &Formulas) -> Vec<BTreeSet<String>> {
         let groups = (self.groups)();
-        let (program, equations) =
-            record(groups.len(), |x| parts.cut(&(self.equations)(x, formulas)));
+        let (program, equations) = record(groups.len(), |x| {
+            parts.cut(&self.claim.equations(x, formulas))
+        });
         let of = |equation: &Equation<Recorded>| {
             let terms = equation.terms().flat_map(|t| &t.value).copied();
             let inputs = program.inputs(&program.needed(terms));

@@ -4,8 +4,8 @@ use super::instance::Instance;
 use super::reduced::{FORMS, Form, extra, is_second, moved, reduced, variables};
 use crate::exact::Recorded;
 use crate::harness::{
-    Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, Moved, OnNumbers,
-    OnPrograms, Proofs, Record, Timed, has, list,
+    AtPoints, Cases, Catalogue, Check, Equation, Excuses, Judgement, Kind, Method, Moved,
+    OnNumbers, OnPrograms, Proofs, Record, Timed, Variable, has, list,
 };
 use num_dual::Dual64;
 use regge_curvature::formulas::Formulas;
@@ -87,28 +87,19 @@ pub fn add<C: Pointwise, const N: usize>(all: &mut Catalogue) {
         let check = OnPrograms {
             cases: over_all(EXACT, C::DIMENSIONS),
             groups: groups::<N>,
-            equations: equations::<C, Jet1<Recorded, 1>, N>,
+            claim: recorded::<C, N>(),
         };
         all.push(of_claim::<C>(N, Method::Exact, Kind::Programs(check)));
         if const { has(C::PROVED, N) } {
             let proof = Proofs {
+                claim: recorded::<C, N>(),
                 forms: FORMS.len(),
-                describe: |form| Form::of(form).describe(),
+                describe,
                 second: is_second,
-                allows: |form, group| Form::of(form).allows(group),
+                allows,
                 groups: groups::<N>,
-                equations: equations::<C, Jet1<Recorded, 1>, N>,
-                variables: |form| variables::<N>(Form::of(form)),
-                reduced: in_form::<C, N>,
-                elsewhere: in_other_coordinates::<C, N>,
-                changes: |form| {
-                    if Form::of(form).is_free() {
-                        0
-                    } else {
-                        extra::<N>()
-                    }
-                },
-                moved: in_motion::<C, N>,
+                variables: variables_of::<N>,
+                changes: changes::<N>,
             };
             all.push(of_claim::<C>(N, Method::Proof, Kind::Proof(proof)));
         }
@@ -140,45 +131,86 @@ fn on_numbers<C: Pointwise, S: Timed, const N: usize>(
     }
 }
 
-/// The claim in a normal position.
-fn in_form<C: Pointwise, const N: usize>(
-    form: usize,
-    numbers: &[Recorded],
-    formulas: &Formulas,
-) -> (Vec<Equation<Recorded>>, Vec<Recorded>) {
-    let (instance, roots) = reduced::<Jet1<Recorded, 1>, N>(Form::of(form), numbers, formulas);
-    (C::equations(&instance), roots)
+// No closures: of those, each claim would have its own.
+
+fn describe(form: usize) -> &'static str {
+    Form::of(form).describe()
 }
 
-/// The same instance in coordinates x = A y, A upper triangular and all ones.
-fn in_other_coordinates<C: Pointwise, const N: usize>(
-    form: usize,
-    numbers: &[Recorded],
-    formulas: &Formulas,
-) -> Vec<Equation<Recorded>> {
-    let form = Form::of(form);
-    let (instance, _) = reduced::<Jet1<Recorded, 1>, N>(form, numbers, formulas);
-    if form.is_free() {
-        return C::equations(&instance);
+fn allows(form: usize, group: &str) -> bool {
+    Form::of(form).allows(group)
+}
+
+fn variables_of<const N: usize>(form: usize) -> Vec<Variable> {
+    variables::<N>(Form::of(form))
+}
+
+fn changes<const N: usize>(form: usize) -> usize {
+    match Form::of(form).is_free() {
+        true => 0,
+        false => extra::<N>(),
     }
-    let below = |k: usize| k < N * N && k / N > k % N;
-    let ones = list(extra::<N>(), |k| Recorded::from_int(i64::from(!below(k))));
-    C::equations(&moved(form, &instance, &ones).0)
 }
 
-/// The claim in two systems of coordinates.
-fn in_motion<C: Pointwise, const N: usize>(
-    form: usize,
-    numbers: &[Recorded],
-    formulas: &Formulas,
-) -> Moved {
-    let count = numbers.len() - extra::<N>();
-    let instance = Instance::<Jet1<Recorded, 1>, N>::from_numbers(&numbers[..count], formulas);
-    let (other, moves) = moved(Form::of(form), &instance, &numbers[count..]);
-    Moved {
-        before: C::equations(&instance),
-        after: C::equations(&other),
-        moves,
+/// A scalar whose use is recorded, with a derivative in time.
+type Recording = Jet1<Recorded, 1>;
+
+/// A claim in one dimension, recorded. What is asked of it is compiled once for each dimension and not for each claim.
+#[derive(Debug)]
+struct Claim<const N: usize> {
+    equations: fn(&Instance<Recording, N>) -> Vec<Equation<Recorded>>,
+}
+
+#[inline(always)]
+fn recorded<C: Pointwise, const N: usize>() -> &'static Claim<N> {
+    const {
+        &Claim {
+            equations: C::equations::<Recording, N>,
+        }
+    }
+}
+
+impl<const N: usize> AtPoints for Claim<N> {
+    fn equations(&self, numbers: &[Recorded], formulas: &Formulas) -> Vec<Equation<Recorded>> {
+        (self.equations)(&Instance::from_numbers(numbers, formulas))
+    }
+
+    fn reduced(
+        &self,
+        form: usize,
+        numbers: &[Recorded],
+        formulas: &Formulas,
+    ) -> (Vec<Equation<Recorded>>, Vec<Recorded>) {
+        let (instance, roots) = reduced(Form::of(form), numbers, formulas);
+        ((self.equations)(&instance), roots)
+    }
+
+    /// The coordinates are x = A y, A upper triangular and all ones.
+    fn elsewhere(
+        &self,
+        form: usize,
+        numbers: &[Recorded],
+        formulas: &Formulas,
+    ) -> Vec<Equation<Recorded>> {
+        let form = Form::of(form);
+        let (instance, _) = reduced(form, numbers, formulas);
+        if form.is_free() {
+            return (self.equations)(&instance);
+        }
+        let below = |k: usize| k < N * N && k / N > k % N;
+        let ones = list(extra::<N>(), |k| Recorded::from_int(i64::from(!below(k))));
+        (self.equations)(&moved(form, &instance, &ones).0)
+    }
+
+    fn moved(&self, form: usize, numbers: &[Recorded], formulas: &Formulas) -> Moved {
+        let count = numbers.len() - extra::<N>();
+        let instance = Instance::from_numbers(&numbers[..count], formulas);
+        let (other, moves) = moved(Form::of(form), &instance, &numbers[count..]);
+        Moved {
+            before: (self.equations)(&instance),
+            after: (self.equations)(&other),
+            moves,
+        }
     }
 }
 
