@@ -124,7 +124,6 @@ fn stretched_boxes() {
     agrees_with_direct(&stretched, 3);
 }
 
-/// A mesh whose cells have no common chart has no points, and the iteration needs them. What is chosen.
 /// A mesh that has bad cells, which are treated in another way: below a mean ratio of 0.45.
 fn with_bad_cells() -> Mesh<3> {
     let mesh = Mesh::<3>::cube(3).unwrap().perturbed(0.2, 5).unwrap();
@@ -138,7 +137,7 @@ fn with_bad_cells() -> Mesh<3> {
 fn equations_are_those_of_the_cells() {
     let mesh = with_bad_cells();
     let target = Target {
-        residual: 1e-13,
+        residual: 1e-15,
         steps: 1000,
     };
     for degree in 2..=5 {
@@ -163,11 +162,11 @@ fn equations_are_those_of_the_cells() {
             None => hhj.space().vanishes_on_boundary(row),
             Some(slope) => mesh.is_interior(2, slope / slopes),
         };
-        // Rounding, of a few hundred terms a row, and of the moments that were eliminated.
+        // Rounding of a few hundred terms a row, of which 1e-14 was seen: the iteration goes on until it no longer matters.
         for row in (0..hhj.len()).filter(free) {
             let (rest, size) = (rest[row], size[row]);
             assert!(
-                rest.abs() < 1e-11 * size,
+                rest.abs() < 1e-13 * size,
                 "degree {degree}, row {row}: {rest:e} of {size:e}"
             );
         }
@@ -219,6 +218,7 @@ fn is_symmetric_and_positive(solver: &Iterative<3>, vectors: &[Vec<f64>], degree
     }
 }
 
+/// What is chosen; N = 4 is not for the iteration.
 #[test]
 fn chosen_by_size() {
     let solver = |mesh: &Mesh<3>, degree| HMinus2::new(mesh, degree).unwrap().solver();

@@ -24,6 +24,7 @@
 //! - [`BiharmonicSolver`] is what [`HMinus2`] knows of a solver, which owns the discretisation [`Hhj`] that it solves.
 
 mod census;
+mod dimension;
 mod direct;
 mod dual;
 mod hhj;
@@ -43,21 +44,12 @@ pub use kind::{Kind, MetricValues, Setting, metric_values};
 pub use riesz::{Energy, Riesz};
 pub use solver::BiharmonicSolver;
 
-use std::any::Any;
-
 impl<const N: usize> Kind<N> {
     const TABLE: &'static [Self] = &[HMinus2::<N>::KIND, Riesz::<N>::HM1, Riesz::<N>::VH];
 
     /// Every norm that has a name: the same ones for N = 2 and 3, and none for higher N.
     pub fn all() -> &'static [Self] {
-        let (plane, space) = (in_the_plane(), in_space());
-        let table: &dyn Any = match N {
-            2 => &plane,
-            3 => &space,
-            _ => return &[],
-        };
-        let table = table.downcast_ref::<&[Self]>();
-        table.expect("each table is that of its N")
+        dimension::of_dimension(N, in_the_plane(), in_space()).unwrap_or(&[])
     }
 
     /// The norm of this name.

@@ -18,6 +18,7 @@ mod skeleton;
 mod smoother;
 mod solver;
 
+use super::dimension::of_dimension;
 use super::dual::{Representative, Step, Target};
 use super::hhj::{Hhj, Size};
 use super::solver::BiharmonicSolver;
@@ -25,7 +26,6 @@ use crate::Error;
 use crate::mesh::Mesh;
 pub(super) use coarse::lattice::Lattice;
 use solver::{Iterates, Solver};
-use std::any::Any;
 use std::sync::Arc;
 
 /// Conjugate gradients for meshes with points in the plane and in space. Nothing of the operator is stored; its bits do
@@ -45,7 +45,7 @@ type Make<const N: usize> = fn(Arc<Hhj<N>>, Target) -> Result<Box<dyn Iterates<N
 impl<const N: usize> Iterative<N> {
     /// Is it for this mesh?
     pub fn suits(mesh: &Mesh<N>) -> bool {
-        Self::make().is_some() && mesh.points().is_some()
+        Self::make(mesh).is_some()
     }
 
     /// Sets up the preconditioner for a discretisation, which is taken as it is or shared. It will iterate to
@@ -63,8 +63,7 @@ impl<const N: usize> Iterative<N> {
     /// As [`Iterative::new`].
     pub fn with_target(hhj: impl Into<Arc<Hhj<N>>>, target: Target) -> Result<Self, Error> {
         let hhj = hhj.into();
-        let make = Self::make().filter(|_| hhj.mesh().points().is_some());
-        let Some(make) = make else {
+        let Some(make) = Self::make(hhj.mesh()) else {
             let reason =
                 "the iterative solver is for meshes in the plane and in space that have points";
             return Err(Error::Input(reason.into()));
@@ -73,15 +72,10 @@ impl<const N: usize> Iterative<N> {
         Ok(Self { solver })
     }
 
-    fn make() -> Option<Make<N>> {
+    /// What sets up a solver on a mesh, if the iteration is for it.
+    fn make(mesh: &Mesh<N>) -> Option<Make<N>> {
         let (plane, space): (Make<2>, Make<3>) = (in_the_plane, in_space);
-        let make: &dyn Any = match N {
-            2 => &plane,
-            3 => &space,
-            _ => return None,
-        };
-        let make = make.downcast_ref::<Make<N>>();
-        Some(*make.expect("each is for its N"))
+        mesh.points().and(of_dimension(N, plane, space))
     }
 }
 

@@ -23,6 +23,7 @@ pub trait Iterates<const N: usize>: std::fmt::Debug + Send + Sync {
     fn precondition(&self, r: &[f64], z: &mut [f64]);
 }
 
+/// The solver for one discretisation.
 #[derive(Debug)]
 pub struct Solver<const N: usize> {
     operator: Arc<Operator<f64, N>>,
@@ -31,6 +32,8 @@ pub struct Solver<const N: usize> {
 }
 
 impl<const N: usize> Solver<N> {
+    /// Sets it up.
+    ///
     /// # Errors
     /// If a block of the operator is not positive definite.
     pub fn new(hhj: Arc<Hhj<N>>, target: Target) -> Result<Self, Error> {
