@@ -29,6 +29,19 @@ fn spread(count: usize, work: &(dyn Fn(usize) + Sync)) {
     (0..count).for_each(work);
 }
 
+/// Does `work` on one of the threads that compute: it hands pieces to the others without being sent to sleep and woken for each
+/// [`spread`], of which a step of an iteration has hundreds.
+#[cfg(all(feature = "norms", feature = "parallel"))]
+pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    rayon::scope(|_| work())
+}
+
+/// Does `work`.
+#[cfg(all(feature = "norms", not(feature = "parallel")))]
+pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    work()
+}
+
 /// `work(i, piece i)` for all pieces, in any order and by several threads.
 fn for_pieces<P: Send>(pieces: impl Iterator<Item = P>, work: &(dyn Fn(usize, P) + Sync)) {
     let pieces: Vec<_> = pieces.map(|piece| Mutex::new(Some(piece))).collect();
@@ -39,6 +52,36 @@ fn for_pieces<P: Send>(pieces: impl Iterator<Item = P>, work: &(dyn Fn(usize, P)
             .take();
         work(i, piece.expect("a piece is worked on once"));
     });
+}
+
+/// Rooms in which pieces are worked on, one after the other: as many are made as threads want one at a time.
+struct Rooms<'a, W> {
+    make: &'a (dyn Fn() -> W + Sync),
+    free: Mutex<Vec<W>>,
+}
+
+impl<'a, W> Rooms<'a, W> {
+    fn new(make: &'a (dyn Fn() -> W + Sync)) -> Self {
+        Self {
+            make,
+            free: Mutex::default(),
+        }
+    }
+
+    /// A room as the last piece left it, or a new one.
+    fn take(&self) -> W {
+        let free = self
+            .free
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .pop();
+        free.unwrap_or_else(self.make)
+    }
+
+    fn give_back(&self, room: W) {
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        free.push(room);
+    }
 }
 
 /// How many of so many items make a piece, of `grain` at least.
@@ -154,7 +197,7 @@ fn two_rows<R: Copy + Send + Sync, S: Copy + Send + Sync, W: Send>(
         vec![first.1; first.0 * ROWS.min(count)],
         vec![second.1; second.0 * ROWS.min(count)],
     );
-    let known = "a table has as many rows";
+    let (rooms, known) = (Rooms::new(room), "a table has as many rows");
     for start in (0..count).step_by(ROWS) {
         let len = ROWS.min(count - start);
         tables.0.fill(first.1);
@@ -168,12 +211,13 @@ fn two_rows<R: Copy + Send + Sync, S: Copy + Send + Sync, W: Send>(
             (items, rows.expect(known), others.expect(known))
         });
         for_pieces(pieces, &|_, (items, rows, others)| {
-            let mut room = room();
+            let mut room = rooms.take();
             for (i, item) in items.enumerate() {
                 let row = &mut rows[i * first.0..][..first.0];
                 let other = &mut others[i * second.0..][..second.0];
                 compute(start + item, row, other, &mut room);
             }
+            rooms.give_back(room);
         });
         for i in 0..len {
             let row = &tables.0[i * first.0..][..first.0];
@@ -195,7 +239,7 @@ pub(crate) fn for_chunks<T: Send>(
 
 /// [`for_chunks`] with a room: `work(i, chunk i, room)`. `room` is a thread's own, as the last chunk left it.
 #[cfg(feature = "norms")]
-pub(crate) fn for_chunks_in<T: Send, W>(
+pub(crate) fn for_chunks_in<T: Send, W: Send>(
     data: &mut [T],
     length: usize,
     room: impl Fn() -> W + Sync,
@@ -208,7 +252,7 @@ pub(crate) fn for_chunks_in<T: Send, W>(
 
 /// [`for_chunks_in`] for the chunks of some lists of one length.
 #[cfg(feature = "norms")]
-pub(crate) fn for_chunks_together<T: Send, W, const M: usize>(
+pub(crate) fn for_chunks_together<T: Send, W: Send, const M: usize>(
     data: [&mut [T]; M],
     length: usize,
     room: impl Fn() -> W + Sync,
@@ -217,8 +261,23 @@ pub(crate) fn for_chunks_together<T: Send, W, const M: usize>(
     chunks(data, length, &room, &work);
 }
 
+/// `work(i, part i of each list)` for consecutive parts of some lists, by their lengths, in any order and by several threads.
 #[cfg(feature = "norms")]
-fn chunks<T: Send, W, const M: usize>(
+pub(crate) fn for_parts<T: Send, const M: usize>(
+    data: [&mut [T]; M],
+    lengths: impl Iterator<Item = usize>,
+    work: impl Fn(usize, [&mut [T]; M]) + Sync,
+) {
+    let mut rest = data;
+    let parts = lengths.map(|length| {
+        let lists = rest.each_mut();
+        lists.map(|list| list.split_off_mut(..length).expect("parts of a list"))
+    });
+    for_pieces(parts, &work);
+}
+
+#[cfg(feature = "norms")]
+fn chunks<T: Send, W: Send, const M: usize>(
     data: [&mut [T]; M],
     length: usize,
     room: &(dyn Fn() -> W + Sync),
@@ -226,11 +285,13 @@ fn chunks<T: Send, W, const M: usize>(
 ) {
     let len = data.iter().map(|list| list.len()).max().unwrap_or(0);
     let many = piece_of(len.div_ceil(length), 1);
+    let rooms = Rooms::new(room);
     for_pieces(together(data, many * length), &|piece, data| {
-        let mut room = room();
+        let mut room = rooms.take();
         for (i, chunks) in (piece * many..).zip(together(data, length)) {
             work(i, chunks, &mut room);
         }
+        rooms.give_back(room);
     });
 }
 

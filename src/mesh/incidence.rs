@@ -143,7 +143,7 @@ pub(super) fn pinched(n: usize, layers: &[Layer]) -> Option<(Vec<usize>, usize)>
 }
 
 /// How many simplices one thread looks at before it looks for others.
-const PIECE: usize = 1 << 12;
+const PIECE: usize = 1 << 6;
 
 /// Are the cells around a simplex connected through faces that contain it? `local` are the vertices of a cell's simplices of its
 /// dimension, `parent` is overwritten.

@@ -102,8 +102,11 @@ pub fn write(path: &Path, content: &str) -> Result<(), Stop> {
 /// Names the file and what failed.
 pub fn json(path: &Path, report: &impl Serialize) -> Result<(), Stop> {
     write_by(path, |out| {
-        serde_json::to_writer_pretty(&mut *out, report)?;
-        writeln!(out)
+        // Its own buffer: a report is written word by word, and what `out` is is not known to the compiler.
+        let mut words = BufWriter::with_capacity(1 << 16, out);
+        serde_json::to_writer_pretty(&mut words, report)?;
+        writeln!(words)?;
+        words.flush()
     })
 }
 

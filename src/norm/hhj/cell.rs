@@ -206,30 +206,38 @@ pub(in crate::norm) fn eliminate(a: &mut DMatrix<f64>, bubbles: usize) {
 /// The part of the greatest pivot below which nothing but rounding is left.
 const EXHAUSTED: f64 = 1e-14;
 
-/// R with Rᵀ R = A and `rank` rows for what [`eliminate`] leaves of a matrix, without the bubbles' rows and columns: symmetric,
-/// positive semidefinite, of this rank or less. Cholesky's elimination, which takes the greatest pivot each time.
-pub(in crate::norm) fn root(a: &DMatrix<f64>, bubbles: usize, rank: usize) -> DMatrix<f64> {
-    let n = a.nrows() - bubbles;
+/// Rᵀ with Rᵀ R = A and `rank` columns, fewer if there are fewer rows, for the rows and columns that are `kept` of what [`eliminate`]
+/// leaves of a matrix, bubbles not among them: symmetric, positive semidefinite, of this rank or less. Cholesky's elimination, which
+/// takes the greatest pivot each time.
+pub(in crate::norm) fn root(a: &DMatrix<f64>, kept: &[usize], rank: usize) -> DMatrix<f64> {
+    let n = kept.len();
     // Its lower triangle is that of what is not eliminated yet.
-    let mut rest = a.view((bubbles, bubbles), (n, n)).into_owned();
-    let mut rows = DMatrix::zeros(rank, n);
+    let mut rest = DMatrix::zeros(n, n);
+    for (j, &b) in kept.iter().enumerate() {
+        for (i, &a_row) in kept.iter().enumerate().skip(j) {
+            rest[(i, j)] = a[(a_row.max(b), a_row.min(b))];
+        }
+    }
+    let mut columns = DMatrix::zeros(n, rank.min(n));
     let greatest = rest.diagonal().max();
-    for step in 0..rank {
+    for step in 0..columns.ncols() {
         let (at, pivot) = rest.diagonal().argmax();
         if pivot <= EXHAUSTED * greatest {
             break;
         }
-        let entry = |i: usize| rest[(i.max(at), i.min(at))] / pivot.sqrt();
-        let row = DVector::from_fn(n, |i, _| entry(i));
-        for j in 0..n {
-            let below = row.rows_range(j..);
-            rest.column_mut(j)
-                .rows_range_mut(j..)
-                .axpy(-row[j], &below, 1.0);
+        let (rest, scale) = (rest.as_mut_slice(), 1.0 / pivot.sqrt());
+        let column = &mut columns.as_mut_slice()[step * n..][..n];
+        for (i, x) in column.iter_mut().enumerate() {
+            *x = rest[i.min(at) * n + i.max(at)] * scale;
         }
-        rows.set_row(step, &row.transpose());
+        for j in 0..n {
+            let (factor, below) = (column[j], &column[j..]);
+            for (x, y) in rest[j * n + j..(j + 1) * n].iter_mut().zip(below) {
+                *x -= factor * y;
+            }
+        }
     }
-    rows
+    columns
 }
 
 #[cfg(test)]
@@ -237,7 +245,7 @@ mod tests {
     use super::*;
     use crate::norm::hhj::Hhj;
 
-    /// Rᵀ R is the condensed matrix, with as many rows as there are moments that are not the bubbles', for all degrees.
+    /// Rᵀ R is the condensed matrix, with as many columns of Rᵀ as there are moments that are not the bubbles', for all degrees.
     #[test]
     fn roots() {
         let mesh = Mesh::<3>::cube(1).unwrap();
@@ -247,8 +255,9 @@ mod tests {
             let mut energy = hhj.energy(0);
             eliminate(&mut energy, bubbles);
             let rank = element.rank();
-            let root = root(&energy, bubbles, rank);
-            let product = root.tr_mul(&root);
+            let kept: Vec<usize> = (bubbles..energy.nrows()).collect();
+            let root = root(&energy, &kept, rank);
+            let product = &root * root.transpose();
             let scale = product.amax();
             for i in 0..product.nrows() {
                 for j in 0..=i {

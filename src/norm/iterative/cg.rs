@@ -3,7 +3,7 @@
 use super::number::Number;
 use crate::Error;
 use crate::norm::dual::{Step, Target};
-use crate::parallel::{for_chunks, for_chunks_together};
+use crate::parallel::{for_chunks, within};
 
 /// How many entries make one piece of work.
 const BLOCK: usize = 1 << 14;
@@ -46,22 +46,6 @@ pub(super) fn combine<S: Number, T: Number>(alpha: f64, y: &mut [T], beta: f64, 
     });
 }
 
-/// x = α x, and y += α x.
-pub(super) fn add_scaled<T: Number>(alpha: f64, x: &mut [T], y: &mut [T]) {
-    let alpha = T::of(alpha);
-    for_chunks_together(
-        [x, y],
-        BLOCK,
-        || (),
-        |_, [x, y], ()| {
-            for (x, y) in x.iter_mut().zip(y) {
-                *x *= alpha;
-                *y += *x;
-            }
-        },
-    );
-}
-
 /// y = α x in another precision.
 pub(super) fn convert<S: Number, T: Number>(x: &[S], alpha: f64, y: &mut [T]) {
     for_chunks(y, BLOCK, |i, y| {
@@ -71,62 +55,107 @@ pub(super) fn convert<S: Number, T: Number>(x: &[S], alpha: f64, y: &mut [T]) {
     });
 }
 
-/// x with A x = r for symmetric positive definite A and preconditioner; `watch` is told of each step.
-///
-/// `apply(p, q, room)` is q = A p. `precondition(r, room)` leaves M⁻¹ r, divided by what it returns, where `preconditioned(room)` is.
+/// A x = r with a preconditioner M, both symmetric and positive definite.
+pub(super) trait System: Send {
+    /// What M is computed with.
+    type Number: Number;
+
+    /// q = A p.
+    fn apply(&mut self, p: &[f64], q: &mut [f64]);
+
+    /// Leaves M⁻¹ r, divided by what is returned, where [`System::preconditioned`] is.
+    fn precondition(&mut self, r: &[f64]) -> f64;
+
+    fn preconditioned(&self) -> &[Self::Number];
+}
+
+/// x with A x = r; `watch` is told of each step.
 ///
 /// # Errors
 /// If the steps do not suffice, or what should be positive is not.
-pub(super) fn solve<R, Z: Number>(
-    mut r: Vec<f64>,
+pub(super) fn solve<S: System>(
+    system: &mut S,
+    r: Vec<f64>,
     target: Target,
-    room: &mut R,
-    apply: impl Fn(&[f64], &mut [f64], &mut R),
-    precondition: impl Fn(&[f64], &mut R) -> f64,
-    preconditioned: impl Fn(&R) -> &[Z],
     watch: &mut dyn FnMut(Step),
 ) -> Result<Vec<f64>, Error> {
-    let mut x = vec![0.0; r.len()];
-    let (mut p, mut q) = (x.clone(), x.clone());
-    let mut size = precondition(&r, room);
-    combine(0.0, &mut p, size, preconditioned(room));
-    let mut square = size * dot(&r, preconditioned(room));
-    let first = square;
-    if first == 0.0 {
-        return Ok(x);
+    let mut state = within(|| State::new(system, r));
+    let mut residual = 0.0;
+    if state.first == 0.0 {
+        return Ok(state.x);
     }
-    for step in 1..=target.steps {
-        apply(&p, &mut q, room);
-        let energy = dot(&p, &q);
-        if !(energy > 0.0 && square > 0.0 && energy.is_finite()) {
-            return Err(Error::Solver(format!(
-                "conjugate gradients broke down in step {step}: energy {energy:e}, residual {square:e}"
-            )));
-        }
-        let alpha = square / energy;
-        axpy(&mut x, alpha, &p);
-        axpy(&mut r, -alpha, &q);
-        size = precondition(&r, room);
-        let before = std::mem::replace(&mut square, size * dot(&r, preconditioned(room)));
-        if square < 0.0 {
-            return Err(Error::Solver(format!(
-                "conjugate gradients broke down in step {step}: the preconditioner is not positive definite"
-            )));
-        }
-        let residual = (square / first).sqrt();
-        watch(Step {
-            number: step,
-            residual,
-        });
+    for number in 1..=target.steps {
+        residual = within(|| state.step(system)).map_err(|what| {
+            Error::Solver(format!(
+                "conjugate gradients broke down in step {number}: {what}"
+            ))
+        })?;
+        watch(Step { number, residual });
         if residual <= target.residual {
-            return Ok(x);
+            return Ok(state.x);
         }
-        combine(square / before, &mut p, size, preconditioned(room));
     }
     Err(Error::Solver(format!(
-        "conjugate gradients: a relative residual of {:e} after {} steps, where {:e} was wanted",
-        (square / first).sqrt(),
-        target.steps,
-        target.residual
+        "conjugate gradients: a relative residual of {residual:e} after {} steps, where {:e} was wanted",
+        target.steps, target.residual
     )))
+}
+
+/// The iteration after some steps.
+struct State {
+    x: Vec<f64>,
+    /// What is left of the right-hand side.
+    r: Vec<f64>,
+    /// The direction of the last step, from which the next one's is made, and its image A p.
+    p: Vec<f64>,
+    q: Vec<f64>,
+    /// M⁻¹ r, divided by this, is with the system.
+    size: f64,
+    /// rᵀ M⁻¹ r, what it was a step before, and at first.
+    square: f64,
+    before: f64,
+    first: f64,
+}
+
+impl State {
+    /// Before the first step.
+    fn new<S: System>(system: &mut S, r: Vec<f64>) -> Self {
+        let x = vec![0.0; r.len()];
+        let size = system.precondition(&r);
+        let square = size * dot(&r, system.preconditioned());
+        Self {
+            p: x.clone(),
+            q: x.clone(),
+            x,
+            r,
+            size,
+            square,
+            before: f64::INFINITY,
+            first: square,
+        }
+    }
+
+    /// A step, and the relative residual after it.
+    ///
+    /// # Errors
+    /// What is not positive that should be.
+    fn step<S: System>(&mut self, system: &mut S) -> Result<f64, String> {
+        let beta = self.square / self.before;
+        combine(beta, &mut self.p, self.size, system.preconditioned());
+        system.apply(&self.p, &mut self.q);
+        let (square, energy) = (self.square, dot(&self.p, &self.q));
+        if !(energy > 0.0 && square > 0.0 && energy.is_finite()) {
+            return Err(format!("energy {energy:e}, residual {square:e}"));
+        }
+        let alpha = square / energy;
+        axpy(&mut self.x, alpha, &self.p);
+        axpy(&mut self.r, -alpha, &self.q);
+        self.size = system.precondition(&self.r);
+        self.square = self.size * dot(&self.r, system.preconditioned());
+        self.before = square;
+        match self.square < 0.0 {
+            true => Err("the preconditioner is not positive definite".into()),
+            false => Ok((self.square / self.first).sqrt()),
+        }
+    }
 }

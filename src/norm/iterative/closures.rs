@@ -170,8 +170,8 @@ struct Closure {
 }
 
 impl Closures {
-    /// Adds to z what the blocks' inverses make of r.
-    pub fn add(&self, r: &[f32], z: &mut [f32]) {
+    /// Adds to some lists what the blocks' inverses make of r, multiplied by a factor.
+    pub fn add(&self, factor: f32, r: &[f32], lists: &mut [&mut [f32]]) {
         let image = |i: usize| {
             let Closure { unknowns, inverse } = &self.0[i];
             let r: Vec<f64> = unknowns.iter().map(|&at| f64::from(r[at])).collect();
@@ -181,7 +181,9 @@ impl Closures {
         };
         in_order(self.0.len(), image, |i, image| {
             for (&at, x) in self.0[i].unknowns.iter().zip(image) {
-                z[at] += x as f32;
+                for list in lists.iter_mut() {
+                    list[at] += factor * x as f32;
+                }
             }
         });
     }

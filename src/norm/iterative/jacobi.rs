@@ -1,8 +1,8 @@
 //! Diagonal blocks of the condensed operator, inverted: one a simplex, or one a cell where cells are bad.
 
 use super::closures::{Closures, Plan, bad_cells};
-use super::packed::{invert, multiply, packed};
-use super::skeleton::Skeleton;
+use super::packed::{invert, multiply_all, packed};
+use super::skeleton::{Piece, Skeleton};
 use crate::Error;
 use crate::mesh::Mesh;
 use crate::norm::hhj::Hhj;
@@ -21,7 +21,7 @@ pub(super) struct BlockJacobi {
     closures: Closures,
 }
 
-/// How many simplices make one piece of work.
+/// How many simplices' blocks are inverted in one piece of work.
 const SIMPLICES: usize = 1024;
 
 impl BlockJacobi {
@@ -49,23 +49,28 @@ impl BlockJacobi {
 
     /// z = J r.
     pub fn apply(&self, r: &[f32], z: &mut [f32]) {
-        let skeleton = &self.skeleton;
-        for (k, inverses) in self.inverses.iter().enumerate() {
-            let width = skeleton.widths[k];
-            if width == 0 {
-                continue;
+        self.skeleton
+            .by_pieces([z], |piece, [z]| self.on_piece(piece, r, z));
+        self.closures.add(1.0, r, &mut [z]);
+    }
+
+    /// x = ω J r, and z += x.
+    pub fn step(&self, weight: f32, r: &[f32], x: &mut [f32], z: &mut [f32]) {
+        self.skeleton.by_pieces([x, z], |piece, [x, z]| {
+            self.on_piece(piece, r, x);
+            for (x, z) in x.iter_mut().zip(z) {
+                *x *= weight;
+                *z += *x;
             }
-            let (r, size) = (skeleton.layer(k, r), packed(width));
-            for_chunks(skeleton.layer_mut(k, z), SIMPLICES * width, |piece, z| {
-                let first = piece * SIMPLICES;
-                for (i, z) in z.chunks_exact_mut(width).enumerate() {
-                    let simplex = first + i;
-                    let a = &inverses[simplex * size..(simplex + 1) * size];
-                    multiply(a, &r[simplex * width..(simplex + 1) * width], z);
-                }
-            });
-        }
-        self.closures.add(r, z);
+        });
+        self.closures.add(weight, r, &mut [x, z]);
+    }
+
+    /// What the simplices' own blocks make of r, for some simplices.
+    fn on_piece(&self, piece: &Piece, r: &[f32], z: &mut [f32]) {
+        let (skeleton, width) = (&self.skeleton, self.skeleton.widths[piece.k]);
+        let inverses = &self.inverses[piece.k][piece.simplices.start * packed(width)..];
+        multiply_all(width, inverses, skeleton.of_piece(piece, r), z);
     }
 }
 

@@ -24,6 +24,7 @@ use super::hhj::{Hhj, Size};
 use super::solver::BiharmonicSolver;
 use crate::Error;
 use crate::mesh::Mesh;
+use crate::parallel::within;
 pub(super) use coarse::lattice::Lattice;
 use solver::{Iterates, Solver};
 use std::sync::Arc;
@@ -84,13 +85,13 @@ impl<const N: usize> Iterative<N> {
 #[cfg_attr(not(test), inline(never))]
 #[cfg_attr(test, inline)]
 fn in_the_plane(hhj: Arc<Hhj<2>>, target: Target) -> Result<Box<dyn Iterates<2>>, Error> {
-    Ok(Box::new(Solver::new(hhj, target)?))
+    Ok(Box::new(within(|| Solver::new(hhj, target))?))
 }
 
 #[cfg_attr(not(test), inline(never))]
 #[cfg_attr(test, inline)]
 fn in_space(hhj: Arc<Hhj<3>>, target: Target) -> Result<Box<dyn Iterates<3>>, Error> {
-    Ok(Box::new(Solver::new(hhj, target)?))
+    Ok(Box::new(within(|| Solver::new(hhj, target))?))
 }
 
 /// What benches measure, and tests look at.

@@ -9,7 +9,7 @@ use super::kernel::{Kernel, Work};
 use super::number::Number;
 use super::skeleton::Skeleton;
 use crate::norm::hhj::Hhj;
-use crate::parallel::{for_chunks, for_chunks_in};
+use crate::parallel::for_chunks_in;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -21,10 +21,9 @@ pub(super) struct Operator<T, const N: usize> {
     pub kernel: Kernel<T, N>,
 }
 
-/// How many simplices add up their cells' contributions in one piece of work.
-const SIMPLICES: usize = 1024;
-/// In how many parts the cells are gone through.
+/// In how many parts the cells are gone through, and how many batches a part has at least: few cells' results are little.
 const PARTS: usize = 8;
+const BATCHES: usize = 64;
 
 impl<T: Number, const N: usize> Operator<T, N> {
     pub fn new(hhj: &Arc<Hhj<N>>, skeleton: &Arc<Skeleton>) -> Self {
@@ -38,7 +37,7 @@ impl<T: Number, const N: usize> Operator<T, N> {
     /// How much room [`Operator::apply`] needs: for a part of the cells. (The cycle's operator, which is in a hurry, has one for all.)
     pub fn room(&self) -> usize {
         let batches = self.cells().div_ceil(CELLS).div_ceil(PARTS);
-        (batches * CELLS).min(self.cells()) * self.kernel.outer()
+        (batches.max(BATCHES) * CELLS).min(self.cells()) * self.kernel.outer()
     }
 
     /// How many cells.
@@ -98,29 +97,30 @@ impl<T: Number, const N: usize> Operator<T, N> {
 
     /// y += factor · the sum over some cells, whose results are in `room`.
     pub fn collect(&self, cells: Range<usize>, room: &[T], y: &mut [T], factor: T) {
-        let (order, layout) = (&self.skeleton.order, self.hhj.layout());
+        let (skeleton, layout) = (&self.skeleton, self.hhj.layout());
         let outer = self.kernel.outer();
-        for (k, simplices) in order.layers.iter().enumerate() {
-            let width = self.skeleton.widths[k];
-            if width == 0 {
-                continue;
+        let starts = |k: usize| -> Vec<usize> {
+            let blocks = layout.blocks.iter().filter(|b| b.k == k);
+            blocks.map(|b| b.start - layout.bubbles).collect()
+        };
+        let starts: Vec<_> = (0..skeleton.widths.len()).map(starts).collect();
+        skeleton.by_pieces([y], |piece, [y]| {
+            if piece.cells.end <= cells.start || cells.end <= piece.cells.start {
+                return;
             }
-            let starts: Vec<usize> = (layout.blocks.iter().filter(|b| b.k == k))
-                .map(|b| b.start - layout.bubbles)
-                .collect();
-            let layer = self.skeleton.layer_mut(k, y);
-            for_chunks(layer, SIMPLICES * width, |piece, layer| {
-                for (i, y) in layer.chunks_exact_mut(width).enumerate() {
-                    let star = simplices.star(piece * SIMPLICES + i);
-                    for (cell, which) in star.filter(|(cell, _)| cells.contains(cell)) {
-                        let begin = (cell - cells.start) * outer + starts[which];
-                        for (y, x) in y.iter_mut().zip(&room[begin..begin + width]) {
-                            *y = y.plus_product(factor, *x);
-                        }
+            let (layer, starts) = (&skeleton.order.layers[piece.k], &starts[piece.k]);
+            let width = skeleton.widths[piece.k];
+            let simplices = piece.simplices.clone().zip(y.chunks_exact_mut(width));
+            for (simplex, y) in simplices {
+                let star = layer.star(simplex);
+                for (cell, which) in star.filter(|(cell, _)| cells.contains(cell)) {
+                    let begin = (cell - cells.start) * outer + starts[which];
+                    for (y, x) in y.iter_mut().zip(&room[begin..begin + width]) {
+                        *y = y.plus_product(factor, *x);
                     }
                 }
-            });
-        }
+            }
+        });
     }
 }
 

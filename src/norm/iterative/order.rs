@@ -103,6 +103,11 @@ impl Layer {
         split(self.entries[self.offsets[place] as usize])
     }
 
+    /// The last cell that contains a simplex.
+    pub fn last(&self, place: usize) -> usize {
+        split(self.entries[self.offsets[place + 1] as usize - 1]).0
+    }
+
     /// The cells that contain a simplex, ascending, with which of their simplices it is.
     #[inline]
     pub fn star(&self, place: usize) -> impl Iterator<Item = (usize, usize)> + '_ {

@@ -5,9 +5,10 @@
 
 use super::number::Number;
 
-/// How many sums of a lane are added up side by side, and how many lanes: in single precision they fit into registers.
+/// How many sums of a lane are added up side by side.
 const SUMS: usize = 4;
-const WIDTH: usize = 32;
+/// Of so many bytes of lanes: they fit into registers.
+const BYTES: usize = 128;
 
 /// A matrix from some rows to others.
 #[derive(Clone, Debug)]
@@ -48,13 +49,28 @@ impl<T: Number> Product<T> {
 
     #[inline(always)]
     fn apply(&self, x: &[T], y: &mut [T], lanes: usize, write: impl Fn(&mut T, T)) {
+        match BYTES / size_of::<T>() {
+            16 => self.by_lanes::<16>(x, y, lanes, write),
+            _ => self.by_lanes::<32>(x, y, lanes, write),
+        }
+    }
+
+    /// W lanes at a time.
+    #[inline(always)]
+    fn by_lanes<const W: usize>(
+        &self,
+        x: &[T],
+        y: &mut [T],
+        lanes: usize,
+        write: impl Fn(&mut T, T),
+    ) {
         let count = self.from.len();
         for (group, rows) in self.to.chunks(SUMS).enumerate() {
             // There may be none, and their sum is zero.
             let entries = &self.entries[group * count..][..count];
-            for begin in (0..lanes).step_by(WIDTH) {
-                let width = WIDTH.min(lanes - begin);
-                let sums = self.sums(x, entries, lanes, begin, width);
+            for begin in (0..lanes).step_by(W) {
+                let width = W.min(lanes - begin);
+                let sums = self.sums::<W>(x, entries, lanes, begin, width);
                 for (row, sums) in rows.iter().zip(&sums) {
                     let at = row * lanes + begin;
                     for (y, sum) in y[at..at + width].iter_mut().zip(sums) {
@@ -67,21 +83,21 @@ impl<T: Number> Product<T> {
 
     /// The sums of one group in some lanes.
     #[inline]
-    fn sums(
+    fn sums<const W: usize>(
         &self,
         x: &[T],
         entries: &[[T; SUMS]],
         lanes: usize,
         begin: usize,
         width: usize,
-    ) -> [[T; WIDTH]; SUMS] {
-        let mut sums = [[T::ZERO; WIDTH]; SUMS];
+    ) -> [[T; W]; SUMS] {
+        let mut sums = [[T::ZERO; W]; SUMS];
         for (row, entries) in self.from.iter().zip(entries) {
             let row = &x[row * lanes + begin..][..width];
-            match row.first_chunk::<WIDTH>() {
+            match row.first_chunk::<W>() {
                 Some(row) => add(&mut sums, entries, row),
                 None => {
-                    let mut padded = [T::ZERO; WIDTH];
+                    let mut padded = [T::ZERO; W];
                     padded[..width].copy_from_slice(row);
                     add(&mut sums, entries, &padded);
                 }
@@ -97,7 +113,7 @@ impl<T: Number> Product<T> {
 }
 
 #[inline(always)]
-fn add<T: Number>(sums: &mut [[T; WIDTH]; SUMS], entries: &[T; SUMS], row: &[T; WIDTH]) {
+fn add<T: Number, const W: usize>(sums: &mut [[T; W]; SUMS], entries: &[T; SUMS], row: &[T; W]) {
     for (sums, entry) in sums.iter_mut().zip(entries) {
         for (sum, x) in sums.iter_mut().zip(row) {
             *sum = sum.plus_product(*entry, *x);

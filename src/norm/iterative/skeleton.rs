@@ -2,9 +2,23 @@
 //!
 //! All k-simplices have blocks of one width, in the solver's order: first the vertices' blocks, then the edges', and so on.
 
-use super::order::Order;
+use super::order::{Layer, Order};
 use crate::mesh::{Mesh, Numbering};
 use crate::norm::hhj::layout::{Layout, own, slopes};
+use crate::parallel::for_parts;
+use std::ops::Range;
+
+/// Interior k-simplices next to each other, which a thread works on.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub k: usize,
+    pub simplices: Range<usize>,
+    /// All cells that contain one of them are among these.
+    pub cells: Range<usize>,
+}
+
+/// How many simplices a piece has, but for the last ones of a dimension.
+const SIMPLICES: usize = 1024;
 
 /// Where the unknowns are.
 #[derive(Clone, Debug)]
@@ -15,6 +29,8 @@ pub(super) struct Skeleton {
     pub widths: Vec<usize>,
     /// The first unknown of the k-simplices; last, the number of all unknowns.
     pub offsets: Vec<usize>,
+    /// The simplices that have unknowns, in order.
+    pub pieces: Vec<Piece>,
     /// How many unknowns of a k-simplex are of u; the others are of û.
     own: Vec<usize>,
     /// Where u is in a solution, and where û begins.
@@ -33,6 +49,7 @@ impl Skeleton {
             offsets.push(offsets[k] + widths[k] * layer.free);
         }
         Self {
+            pieces: pieces(&order, &widths),
             order,
             widths,
             offsets,
@@ -54,7 +71,7 @@ impl Skeleton {
 
     /// The unknowns of a cell's k-simplex, by which of them it is; none if it is in ∂Ω.
     #[inline]
-    pub fn of_cell(&self, k: usize, cell: usize, which: usize) -> std::ops::Range<usize> {
+    pub fn of_cell(&self, k: usize, cell: usize, which: usize) -> Range<usize> {
         let simplex = self.order.layers[k].free_of_cell(cell, which);
         simplex.map_or(0..0, |simplex| self.of_simplex(k, simplex))
     }
@@ -73,14 +90,15 @@ impl Skeleton {
 
     /// The unknowns of an interior k-simplex.
     #[inline]
-    pub fn of_simplex(&self, k: usize, simplex: usize) -> std::ops::Range<usize> {
+    pub fn of_simplex(&self, k: usize, simplex: usize) -> Range<usize> {
         let first = self.first(k, simplex);
         first..first + self.widths[k]
     }
 
-    /// The unknowns of all interior k-simplices.
-    pub fn layer<'a, T>(&self, k: usize, x: &'a [T]) -> &'a [T] {
-        &x[self.offsets[k]..self.offsets[k + 1]]
+    /// The unknowns of a piece.
+    pub fn of_piece<'a, T>(&self, piece: &Piece, x: &'a [T]) -> &'a [T] {
+        let begin = self.first(piece.k, piece.simplices.start);
+        &x[begin..self.first(piece.k, piece.simplices.end)]
     }
 
     /// The unknowns of all interior k-simplices.
@@ -98,10 +116,21 @@ impl Skeleton {
     }
 
     /// Where in a solution the bubbles of a cell are.
-    pub fn bubbles(&self, cell: usize) -> std::ops::Range<usize> {
+    pub fn bubbles(&self, cell: usize) -> Range<usize> {
         let k = self.widths.len();
         let first = self.numbering.global(k, self.order.cells[cell] as usize, 0);
         first..first + self.own[k]
+    }
+
+    /// `work(piece, its unknowns of each list)` for all pieces, by several threads.
+    pub fn by_pieces<T: Send, const M: usize>(
+        &self,
+        lists: [&mut [T]; M],
+        work: impl Fn(&Piece, [&mut [T]; M]) + Sync,
+    ) {
+        let lengths = self.pieces.iter();
+        let lengths = lengths.map(|piece| piece.simplices.len() * self.widths[piece.k]);
+        for_parts(lists, lengths, |i, lists| work(&self.pieces[i], lists));
     }
 
     /// The load of the unknowns: û has none.
@@ -127,4 +156,27 @@ impl Skeleton {
             }
         }
     }
+}
+
+/// The pieces of the dimensions that have unknowns.
+fn pieces(order: &Order, widths: &[usize]) -> Vec<Piece> {
+    let layers = order.layers.iter().enumerate();
+    let with_unknowns = layers.filter(|(k, _)| widths[*k] > 0);
+    let pieces = with_unknowns.flat_map(|(k, layer)| of_layer(k, layer));
+    pieces.collect()
+}
+
+fn of_layer(k: usize, layer: &Layer) -> impl Iterator<Item = Piece> {
+    let piece = move |begin: usize| {
+        let simplices = begin..layer.free.min(begin + SIMPLICES);
+        let last = simplices.clone().map(|simplex| layer.last(simplex)).max();
+        // In their order simplices are met by later and later cells.
+        let cells = layer.first(begin).0..last.expect("a piece has simplices") + 1;
+        Piece {
+            k,
+            simplices,
+            cells,
+        }
+    };
+    (0..layer.free).step_by(SIMPLICES).map(piece)
 }

@@ -1,8 +1,8 @@
 //! The iteration: the condensed operator, its preconditioner, and conjugate gradients with them.
 
-use super::cg;
+use super::cg::{self, System};
 use super::coarse::Coarse;
-use super::cycle::Cycle;
+use super::cycle::{Cycle, Workshop};
 use super::jacobi::BlockJacobi;
 use super::mixed::Mixed;
 use super::operator::Operator;
@@ -10,6 +10,7 @@ use super::skeleton::Skeleton;
 use crate::Error;
 use crate::norm::dual::{Representative, Step, Target};
 use crate::norm::hhj::Hhj;
+use crate::parallel::within;
 use std::sync::Arc;
 
 /// What [`super::Iterative`] knows of its solver, so that the code of one is compiled once; each method is the one of that
@@ -49,6 +50,31 @@ impl<const N: usize> Solver<N> {
     }
 }
 
+/// The operator and the cycle with what they work with.
+struct Condensed<'a, const N: usize> {
+    operator: &'a Operator<f64, N>,
+    cycle: &'a Cycle<N>,
+    /// What an application overwrites.
+    room: Vec<f64>,
+    workshop: Workshop<N>,
+}
+
+impl<const N: usize> System for Condensed<'_, N> {
+    type Number = f32;
+
+    fn apply(&mut self, p: &[f64], q: &mut [f64]) {
+        self.operator.apply(p, q, &mut self.room);
+    }
+
+    fn precondition(&mut self, r: &[f64]) -> f64 {
+        self.cycle.apply(r, &mut self.workshop)
+    }
+
+    fn preconditioned(&self) -> &[f32] {
+        &self.workshop.z
+    }
+}
+
 impl<const N: usize> Iterates<N> for Solver<N> {
     fn hhj(&self) -> &Hhj<N> {
         &self.operator.hhj
@@ -61,21 +87,18 @@ impl<const N: usize> Iterates<N> for Solver<N> {
             "a load of another space"
         );
         let (operator, skeleton) = (&self.operator, &self.operator.skeleton);
+        let mut system = Condensed {
+            operator,
+            cycle: &self.cycle,
+            room: vec![0.0; operator.room()],
+            workshop: self.cycle.workshop(),
+        };
         let mut r = skeleton.gather(load);
-        let mut room = (vec![0.0; operator.room()], self.cycle.workshop());
-        operator.condense(load, &mut r, &mut room.0);
-        let x = cg::solve(
-            r,
-            self.target,
-            &mut room,
-            |p, q, (room, _)| operator.apply(p, q, room),
-            |r, (_, workshop)| self.cycle.apply(r, workshop),
-            |(_, workshop)| &workshop.z,
-            watch,
-        )?;
+        operator.condense(load, &mut r, &mut system.room);
+        let x = cg::solve(&mut system, r, self.target, watch)?;
         let mut coefficients = vec![0.0; self.hhj().len()];
         skeleton.scatter(&x, &mut coefficients);
-        operator.bubbles(load, &x, &mut coefficients, &mut room.0);
+        operator.bubbles(load, &x, &mut coefficients, &mut system.room);
         Ok(Representative { coefficients })
     }
 
@@ -89,12 +112,14 @@ impl<const N: usize> Iterates<N> for Solver<N> {
 
     fn apply(&self, x: &[f64], y: &mut [f64], room: &mut Vec<f64>) {
         room.resize(self.operator.room(), 0.0);
-        self.operator.apply(x, y, room);
+        within(|| self.operator.apply(x, y, room));
     }
 
     fn precondition(&self, r: &[f64], z: &mut [f64]) {
-        let mut workshop = self.cycle.workshop();
-        let size = self.cycle.apply(r, &mut workshop);
-        cg::convert(&workshop.z, size, z);
+        within(|| {
+            let mut workshop = self.cycle.workshop();
+            let size = self.cycle.apply(r, &mut workshop);
+            cg::convert(&workshop.z, size, z);
+        });
     }
 }

@@ -13,10 +13,9 @@ use super::level::{Kind, Level};
 use super::rows::{Plane, from_site};
 use crate::linalg::Vector;
 use crate::norm::hhj::cell::root;
-use crate::parallel::for_chunks;
+use crate::parallel::{for_chunks, for_chunks_in};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
-use nalgebra::DMatrix;
 
 /// A cell whose mean ratio is below is flat. The largest eigenvalue with and without their form, by conjugate gradients on balls of
 /// 17 000 tetrahedra: 1.2 and 1.7 where the least mean ratio is 0.20 (p = 3); 1.04 and 34 (p = 3), 1.3 and 95 (p = 4) where it is 0.05.
@@ -170,7 +169,9 @@ impl<const N: usize> Finest<'_, N> {
             rest = after;
             forms.resize_with(cells.len().max(forms.len()), CellForm::default);
             let forms = &mut forms[..cells.len()];
-            for_chunks(forms, 1, |i, form| self.make(cells[i], &mut form[0]));
+            for_chunks_in(forms, 1, Bench::default, |i, form, room| {
+                self.make(cells[i], &mut form[0], room);
+            });
             let forms = &*forms;
             for_chunks(planes, 1, |at, plane| {
                 for form in forms {
@@ -208,23 +209,28 @@ impl<const N: usize> Finest<'_, N> {
     }
 
     /// The form of the splines that reach a cell.
-    fn make(&self, cell: u32, to: &mut CellForm<N>) {
+    fn make(&self, cell: u32, to: &mut CellForm<N>, room: &mut Bench) {
         let Transfer { hhj, skeleton, .. } = self.transfer;
         to.patch = self.transfer.reached(&self.corners(cell));
         let (layout, splines) = (hhj.layout(), to.patch.len());
         let cell = cell as usize;
-        let energy = hhj.condensed(skeleton.order.cells[cell] as usize);
-        let root = root(&energy, layout.bubbles, hhj.element().rank());
-        let mut rows = vec![0.0; root.ncols() * splines];
+        room.kept.clear();
+        room.rows.clear();
         for block in &layout.blocks {
             let simplex = skeleton.order.layers[block.k].free_of_cell(cell, block.place);
             if let Some(simplex) = simplex.filter(|_| block.width > 0) {
-                let begin = (block.start - layout.bubbles) * splines;
-                let rows = &mut rows[begin..begin + skeleton.widths[block.k] * splines];
+                let begin = room.rows.len();
+                room.kept.extend(block.start..block.start + block.width);
+                room.rows.resize(begin + block.width * splines, 0.0);
+                let rows = &mut room.rows[begin..];
                 self.transfer.rows(block.k, simplex, &to.patch, rows);
             }
         }
-        gram(&root.map(|x| x as Short), &rows, splines, &mut to.form);
+        let energy = hhj.condensed(skeleton.order.cells[cell] as usize);
+        let root = root(&energy, &room.kept, hhj.element().rank());
+        room.root.clear();
+        room.root.extend(root.iter().map(|&x| x as Short));
+        room.gram(splines, &mut to.form);
     }
 }
 
@@ -250,35 +256,49 @@ const AT_ONCE: usize = 1 << 21;
 /// In how many strips a form is made: with four, 5/8 of a square are computed for the half that is wanted.
 const STRIPS: usize = 4;
 
-/// (R P)ᵀ R P from the rows of P: row i holds the entries from i on, and others before.
-fn gram(root: &DMatrix<Short>, rows: &[Short], columns: usize, form: &mut Vec<Short>) {
-    let (rank, outer) = root.shape();
-    let root = MatRef::from_column_major_slice(root.as_slice(), rank, outer);
-    // Row-major P is column-major Pᵀ.
-    let transposed = MatRef::from_column_major_slice(rows, columns, outer);
-    let mut product = vec![0.0; columns * rank];
-    form.resize(columns * columns, 0.0);
-    let half = MatMut::from_column_major_slice_mut(&mut product, columns, rank);
-    matmul(
-        half,
-        Accum::Replace,
-        transposed,
-        root.transpose(),
-        1.0,
-        Par::Seq,
-    );
-    let half = MatRef::from_column_major_slice(&product, columns, rank);
-    let strip = columns.div_ceil(STRIPS).max(1);
-    for begin in (0..columns).step_by(strip) {
-        let (width, rest) = (strip.min(columns - begin), columns - begin);
-        let of_strip = &mut form[begin * columns..(begin + width) * columns];
-        matmul(
-            MatMut::from_column_major_slice_mut(of_strip, columns, width).subrows_mut(begin, rest),
-            Accum::Replace,
-            half.subrows(begin, rest),
-            half.subrows(begin, width).transpose(),
-            1.0,
-            Par::Seq,
-        );
+/// What a cell's form is made from.
+#[derive(Default)]
+struct Bench {
+    /// The cell's unknowns that are not on ∂Ω.
+    kept: Vec<usize>,
+    /// Of these: Rᵀ column by column, and P row by row.
+    root: Vec<Short>,
+    rows: Vec<Short>,
+    /// (R P)ᵀ.
+    product: Vec<Short>,
+}
+
+impl Bench {
+    /// (R P)ᵀ R P: row i holds the entries from i on, and others before.
+    fn gram(&mut self, columns: usize, form: &mut Vec<Short>) {
+        form.resize(columns * columns, 0.0);
+        if self.kept.is_empty() {
+            form.fill(0.0);
+            return;
+        }
+        let outer = self.kept.len();
+        let rank = self.root.len() / outer;
+        let root = MatRef::from_column_major_slice(&self.root, outer, rank);
+        // Row-major P is column-major Pᵀ.
+        let rows = MatRef::from_column_major_slice(&self.rows, columns, outer);
+        self.product.resize(columns * rank, 0.0);
+        let half = MatMut::from_column_major_slice_mut(&mut self.product, columns, rank);
+        matmul(half, Accum::Replace, rows, root, 1.0, Par::Seq);
+        let half = MatRef::from_column_major_slice(&self.product, columns, rank);
+        let strip = columns.div_ceil(STRIPS).max(1);
+        for begin in (0..columns).step_by(strip) {
+            let (width, rest) = (strip.min(columns - begin), columns - begin);
+            let of_strip = &mut form[begin * columns..(begin + width) * columns];
+            let of_strip = MatMut::from_column_major_slice_mut(of_strip, columns, width);
+            let transposed = half.subrows(begin, width).transpose();
+            matmul(
+                of_strip.subrows_mut(begin, rest),
+                Accum::Replace,
+                half.subrows(begin, rest),
+                transposed,
+                1.0,
+                Par::Seq,
+            );
+        }
     }
 }

@@ -103,10 +103,12 @@ pub(super) fn reduced_patch<const N: usize>(patch: &Patch<N>) -> Patch<N> {
     }
 }
 
-/// A tensor on the finer lattice handed on: the numbers on [`reduced_patch`].
+/// A tensor on the finer lattice handed on: the numbers on [`reduced_patch`]. The last axis comes first: lines along the first one,
+/// whose numbers are added up one by one, are fewer then.
 pub(super) fn reduce<const N: usize>(patch: &Patch<N>, numbers: &[f64]) -> Vec<f64> {
-    let (reduced, mut x, mut inner) = (reduced_patch(patch), numbers.to_vec(), 1);
-    for axis in 0..N {
+    let (reduced, mut x) = (reduced_patch(patch), Cow::Borrowed(numbers));
+    for axis in (0..N).rev() {
+        let inner = patch.sides()[..axis].iter().product::<usize>();
         let from = (patch.low[axis], patch.high[axis]);
         let to = (reduced.low[axis], reduced.high[axis]);
         let (before, after) = (inner * (from.1 - from.0), inner * (to.1 - to.0));
@@ -114,8 +116,7 @@ pub(super) fn reduce<const N: usize>(patch: &Patch<N>, numbers: &[f64]) -> Vec<f
         for (x, y) in x.chunks_exact(before).zip(y.chunks_exact_mut(after)) {
             gather(x, inner, from, to, y);
         }
-        x = y;
-        inner = after;
+        x = Cow::Owned(y);
     }
-    x
+    x.into_owned()
 }
