@@ -140,7 +140,7 @@ fn equations_are_those_of_the_cells() {
     for degree in 2..=5 {
         solves_the_equations(&mesh, degree);
     }
-    let mesh = Mesh::<3>::cube(9).unwrap().perturbed(0.08, 5).unwrap();
+    let mesh = Mesh::<3>::cube(9).unwrap().perturbed(0.02, 5).unwrap();
     solves_the_equations(&mesh, 2);
 }
 

@@ -80,7 +80,7 @@ pub(super) fn solve<S: System>(
     watch: &mut dyn FnMut(Step),
 ) -> Result<Vec<f64>, Error> {
     let mut state = within(|| State::new(system, r));
-    let mut residual = 0.0;
+    let mut residual = 1.0;
     if state.first == 0.0 {
         return Ok(state.x);
     }
