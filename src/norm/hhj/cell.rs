@@ -213,9 +213,9 @@ pub(in crate::norm) fn root(a: &DMatrix<f64>, kept: &[usize], rank: usize) -> DM
     let n = kept.len();
     // Its lower triangle is that of what is not eliminated yet.
     let mut rest = DMatrix::zeros(n, n);
-    for (j, &b) in kept.iter().enumerate() {
-        for (i, &a_row) in kept.iter().enumerate().skip(j) {
-            rest[(i, j)] = a[(a_row.max(b), a_row.min(b))];
+    for (j, &column) in kept.iter().enumerate() {
+        for (i, &row) in kept.iter().enumerate().skip(j) {
+            rest[(i, j)] = a[(row.max(column), row.min(column))];
         }
     }
     let mut columns = DMatrix::zeros(n, rank.min(n));

@@ -125,18 +125,18 @@ fn add<T: Number, const W: usize>(sums: &mut [[T; W]; SUMS], entries: &[T; SUMS]
 mod tests {
     use super::*;
 
-    /// Entry by entry, for more and fewer lanes and rows than are taken at a time.
-    #[test]
-    fn entry_by_entry() {
-        let entry = |i: usize, j: usize| (3 * i * i + 5 * j + i * j) as f64 - 7.0;
+    /// Entry by entry, in whole numbers, for more and fewer lanes and rows than are taken at a time.
+    fn entry_by_entry<T: Number + std::fmt::Debug>() {
+        let entry = |i: usize, j: usize| T::of((3 * i * i + 5 * j + i * j) as f64 - 7.0);
         for (lanes, inputs, outputs) in [(64, 3, 9), (5, 1, 4), (41, 7, 2), (32, 0, 5)] {
             let from: Vec<usize> = (1..=inputs).rev().collect();
             let to: Vec<usize> = (0..outputs).map(|i| 3 * i + 2).collect();
             let product = Product::new(&from, &to, &entry);
-            let x: Vec<f64> = (0..(inputs + 1) * lanes).map(|i| (i % 13) as f64).collect();
-            let mut y = vec![1.0; 3 * outputs * lanes];
+            let numbers = (0..(inputs + 1) * lanes).map(|i| (i % 13) as f64);
+            let x: Vec<T> = numbers.map(T::of).collect();
+            let mut y = vec![T::ONE; 3 * outputs * lanes];
             product.add(&x, &mut y, lanes);
-            let mut expected = vec![1.0; y.len()];
+            let mut expected = vec![T::ONE; y.len()];
             for (&i, &j) in to.iter().flat_map(|i| from.iter().map(move |j| (i, j))) {
                 for lane in 0..lanes {
                     expected[i * lanes + lane] += entry(i, j) * x[j * lanes + lane];
@@ -146,9 +146,15 @@ mod tests {
             product.set(&x, &mut y, lanes);
             for &i in &to {
                 for at in i * lanes..(i + 1) * lanes {
-                    assert_eq!(y[at], expected[at] - 1.0, "{lanes} lanes");
+                    assert_eq!(y[at], expected[at] - T::ONE, "{lanes} lanes");
                 }
             }
         }
+    }
+
+    #[test]
+    fn in_both_precisions() {
+        entry_by_entry::<f64>();
+        entry_by_entry::<f32>();
     }
 }

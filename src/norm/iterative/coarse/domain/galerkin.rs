@@ -169,7 +169,7 @@ impl<const N: usize> Finest<'_, N> {
             rest = after;
             forms.resize_with(cells.len().max(forms.len()), CellForm::default);
             let forms = &mut forms[..cells.len()];
-            for_chunks_in(forms, 1, Bench::default, |i, form, room| {
+            for_chunks_in(forms, 1, FormRoom::default, |i, form, room| {
                 self.make(cells[i], &mut form[0], room);
             });
             let forms = &*forms;
@@ -209,7 +209,7 @@ impl<const N: usize> Finest<'_, N> {
     }
 
     /// The form of the splines that reach a cell.
-    fn make(&self, cell: u32, to: &mut CellForm<N>, room: &mut Bench) {
+    fn make(&self, cell: u32, to: &mut CellForm<N>, room: &mut FormRoom) {
         let Transfer { hhj, skeleton, .. } = self.transfer;
         to.patch = self.transfer.reached(&self.corners(cell));
         let (layout, splines) = (hhj.layout(), to.patch.len());
@@ -258,7 +258,7 @@ const STRIPS: usize = 4;
 
 /// What a cell's form is made from.
 #[derive(Default)]
-struct Bench {
+struct FormRoom {
     /// The cell's unknowns that are not on ∂Ω.
     kept: Vec<usize>,
     /// Of these: Rᵀ column by column, and P row by row.
@@ -268,7 +268,7 @@ struct Bench {
     product: Vec<Short>,
 }
 
-impl Bench {
+impl FormRoom {
     /// (R P)ᵀ R P: row i holds the entries from i on, and others before.
     fn gram(&mut self, columns: usize, form: &mut Vec<Short>) {
         form.resize(columns * columns, 0.0);
