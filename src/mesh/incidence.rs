@@ -142,7 +142,7 @@ pub(super) fn pinched(n: usize, layers: &[Layer]) -> Option<(Vec<usize>, usize)>
     None
 }
 
-/// How many simplices one thread looks at before it looks for others.
+/// How many simplices are looked at one after the other; a thread takes sixteen such lists at a time, or more.
 const PIECE: usize = 1 << 6;
 
 /// Are the cells around a simplex connected through faces that contain it? `local` are the vertices of a cell's simplices of its

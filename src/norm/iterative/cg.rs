@@ -66,6 +66,7 @@ pub(super) trait System: Send {
     /// Leaves M⁻¹ r, divided by what is returned, where [`System::preconditioned`] is.
     fn precondition(&mut self, r: &[f64]) -> f64;
 
+    /// What the last [`System::precondition`] left.
     fn preconditioned(&self) -> &[Self::Number];
 }
 
@@ -111,7 +112,7 @@ struct State {
     q: Vec<f64>,
     /// M⁻¹ r, divided by this, is with the system.
     size: f64,
-    /// rᵀ M⁻¹ r, what it was a step before, and at first.
+    /// rᵀ M⁻¹ r, what it was a step before, and at first. Before the first step it was infinite, so that its direction is M⁻¹ r alone.
     square: f64,
     before: f64,
     first: f64,

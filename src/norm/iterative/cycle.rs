@@ -50,7 +50,7 @@ impl<const N: usize> Smoothed for Fine<N> {
         self.operator.add(-1.0, x, r, &mut room.operator);
     }
 
-    // Two passes: in one, which was tried, sums of what cells have wait for a simplex' block, and it takes a tenth longer.
+    // Two passes after the cells': in one, which was tried, sums of what cells have wait for a simplex' block, and it takes a tenth longer.
     fn step(&self, weight: f64, z: &mut [f32], room: &mut Room<Self>) {
         self.subtract_image(room);
         let (r, x) = (&room.residual, &mut room.correction);

@@ -5,6 +5,7 @@ use regge_analysis::report::{Measured, Report, of_label, one_line};
 use regge_analysis::{Effort, run};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// docs/verification.
 fn committed(name: &str) -> PathBuf {
@@ -19,8 +20,13 @@ fn read(name: &str) -> String {
 /// Few levels, one run: every claim holds and every forgery is caught. All levels are those of `regge-verify --analysis`.
 #[test]
 fn a_quick_run_holds() {
-    let effort = Effort::new(20_261_128, true);
+    let (effort, start) = (Effort::new(20_261_128, true), Instant::now());
     let report = run(&effort, &[], &|_, _| ()).expect("everything can be measured");
+    // Five seconds on one core.
+    assert!(
+        start.elapsed() < Duration::from_secs(60),
+        "it is a quick run"
+    );
     // A07, A21, A23, A25, A34, A39 and A40 are left out: they need larger meshes.
     assert_eq!(report.claims.len() + 7, ALL.len());
     let table = report.table();
