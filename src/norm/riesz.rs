@@ -15,7 +15,7 @@ use crate::parallel::in_order;
 use crate::quadrature::Rule;
 use crate::simplex::binomial;
 use crate::spaces::Lagrange;
-use crate::sparse::{Factor, Kept, Order, Upper};
+use crate::sparse::{Factor, Kept, Lower};
 use nalgebra::DMatrix;
 
 /// Of which functions' energy a norm is the dual.
@@ -34,7 +34,7 @@ pub struct Riesz<const N: usize> {
     energy: Energy,
     space: Lagrange<N>,
     kept: Kept,
-    matrix: Upper,
+    matrix: Lower,
     /// None where there is no unknown.
     factor: Option<Box<Factor>>,
 }
@@ -76,11 +76,16 @@ impl<const N: usize> Riesz<N> {
             return Err(Error::NoCoordinates("a dual norm without a metric"));
         }
         let space = Lagrange::new(mesh, setting.degree);
-        let kept = Kept::new(space.len(), |dof| space.vanishes_on_boundary(dof));
+        let kept = Kept::new(
+            space.len(),
+            |dof| space.vanishes_on_boundary(dof),
+            mesh.cell_count(),
+            |cell| space.cell_dofs(cell),
+        )?;
         let matrix = assemble(energy, setting, &space, &kept)?;
         let factor = match kept.is_empty() {
             true => None,
-            false => Some(Box::new(Factor::new(&matrix, Order::MinimumDegree)?)),
+            false => Some(Box::new(Factor::new(&matrix)?)),
         };
         Ok(Self {
             energy,
@@ -118,7 +123,7 @@ fn assemble<const N: usize>(
     setting: &Setting<'_, N>,
     space: &Lagrange<N>,
     kept: &Kept,
-) -> Result<Upper, Error> {
+) -> Result<Lower, Error> {
     let mesh = setting.mesh;
     let metric = setting.metric.filter(|_| energy == Energy::Dirichlet);
     // Exact where g is constant; a metric has the order of functions of degree p + 2 in addition.

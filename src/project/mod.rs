@@ -15,7 +15,7 @@ use crate::quadrature::Rule;
 use crate::scalar::Real;
 use crate::simplex::binomial;
 use crate::spaces::Lagrange;
-use crate::sparse::{Factor, Kept, Order, Upper};
+use crate::sparse::{Factor, Kept, Lower};
 use hats::HatMass;
 use nalgebra::DMatrix;
 
@@ -109,12 +109,13 @@ fn factorised<const N: usize, G: TensorField<N, Scalar = f64>>(
     rule: &Rule,
 ) -> Result<Mass, Error> {
     let is_kept = |dof| tested == Tested::All || space.vanishes_on_boundary(dof);
-    let kept = Kept::new(space.len(), is_kept);
+    let cells = space.mesh().cell_count();
+    let kept = Kept::new(space.len(), is_kept, cells, |cell| space.cell_dofs(cell))?;
     let factor = match kept.is_empty() {
         true => None,
         false => {
             let mass = mass::<G::Wide, G, N>(g, space, &kept, rule)?;
-            Some(Box::new(Factor::new(&mass, Order::MinimumDegree)?))
+            Some(Box::new(Factor::new(&mass)?))
         }
     };
     Ok(Mass::Factorised(kept, factor))
@@ -126,7 +127,7 @@ fn mass<T: Real<Sum = f64>, G: Evaluate<T, N>, const N: usize>(
     space: &Lagrange<N>,
     kept: &Kept,
     rule: &Rule,
-) -> Result<Upper, Error> {
+) -> Result<Lower, Error> {
     let blocks = |cell: usize| kept.blocks(space.cell_dofs(cell));
     let cells = space.mesh().cell_count();
     let mut mass = kept.matrix(cells, &blocks)?;

@@ -1,18 +1,21 @@
 //! A sparse Cholesky factorisation by faer.
 
-use super::upper::{Upper, too_large};
+use super::analysis::analyse;
+use super::lower::Lower;
+use super::memory;
 use crate::Error;
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::linalg::cholesky::{
-    LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+use faer::sparse::linalg::cholesky::supernodal::{
+    SupernodalLltRef, SymbolicSupernodalCholesky, factorize_supernodal_numeric_llt,
+    factorize_supernodal_numeric_llt_scratch,
 };
-use faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Side};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par};
 
-/// U = Lᵀ with A = L Lᵀ.
+/// L with A = L Lᵀ; the unknowns are eliminated in the order of the matrix.
 #[derive(Debug)]
 pub(crate) struct Factor {
-    symbolic: SymbolicCholesky<u32>,
+    symbolic: SymbolicSupernodalCholesky<u32>,
     values: Vec<f64>,
 }
 
@@ -22,7 +25,7 @@ pub(crate) struct Factor {
 const LONG_COLUMN: usize = 400;
 
 /// The degree of parallelism depends on the matrix alone, since the order of the sums depends on it.
-fn parallelism(symbolic: &SymbolicCholesky<u32>) -> Par {
+fn parallelism(symbolic: &SymbolicSupernodalCholesky<u32>) -> Par {
     match symbolic.len_val() / symbolic.nrows().max(1) < LONG_COLUMN {
         true => Par::Seq,
         false => in_parallel(),
@@ -41,33 +44,15 @@ pub(crate) fn in_parallel() -> Par {
     Par::Seq
 }
 
-/// In which order the unknowns are eliminated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
-    /// That of the matrix.
-    Given,
-    /// That of an approximate minimum degree, which needs no coordinates.
-    MinimumDegree,
-}
-
 impl Factor {
     /// The factor of a matrix with at least one row.
     ///
     /// # Errors
     /// If memory does not suffice, or the matrix is not positive definite.
-    pub fn new(matrix: &Upper, order: Order) -> Result<Self, Error> {
+    pub fn new(matrix: &Lower) -> Result<Self, Error> {
         let (columns, rows, entries) = (&matrix.columns, &matrix.rows, &matrix.values);
-        let order = match order {
-            Order::Given => SymmetricOrdering::Identity,
-            Order::MinimumDegree => SymmetricOrdering::Amd,
-        };
         let n = columns.len() - 1;
-        let pattern = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
-        let symbolic = factorize_symbolic_cholesky(pattern, Side::Upper, order, Default::default())
-            .map_err(|e| match e {
-                FaerError::IndexOverflow => too_large(n),
-                e => Error::Solver(format!("{n} unknowns: {e}")),
-            })?;
+        let symbolic = analyse(matrix)?;
         // It is asked for first, since `vec!` aborts; and `vec!` writes no zeros over those that the system gives.
         let len = symbolic.len_val();
         if Vec::<f64>::new().try_reserve_exact(len).is_err() {
@@ -78,23 +63,25 @@ impl Factor {
         }
         let mut values = vec![0.0; len];
         let par = parallelism(&symbolic);
-        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(par, Default::default());
-        let mut memory = MemBuffer::try_new(scratch)
-            .map_err(|_| Error::Solver(format!("{n} unknowns: out of memory")))?;
-        symbolic
-            .factorize_numeric_llt(
-                &mut values,
-                SparseColMatRef::new(pattern, entries),
-                Side::Upper,
-                Default::default(),
-                par,
-                MemStack::new(&mut memory),
-                Default::default(),
-            )
-            .map_err(|_| Error::Solver(format!(
-                "{n} unknowns: the matrix is positive definite, but not to double precision: cells that are stretched, or \
-                 a high degree, are too much for it; rounder cells or a lower degree may do"
-            )))?;
+        let scratch = factorize_supernodal_numeric_llt_scratch::<u32, f64>(
+            &symbolic,
+            par,
+            Default::default(),
+        );
+        let pattern = SymbolicSparseColMatRef::new_checked(n, n, columns, None, rows);
+        factorize_supernodal_numeric_llt(
+            &mut values,
+            SparseColMatRef::new(pattern, entries),
+            Default::default(),
+            &symbolic,
+            par,
+            MemStack::new(&mut memory(n, scratch)?),
+            Default::default(),
+        )
+        .map_err(|_| Error::Solver(format!(
+            "{n} unknowns: the matrix is positive definite, but not to double precision: cells that are stretched, or \
+             a high degree, are too much for it; rounder cells or a lower degree may do"
+        )))?;
         Ok(Self { symbolic, values })
     }
 
@@ -102,7 +89,7 @@ impl Factor {
     pub fn solve(&self, x: &mut [f64]) {
         let (n, par) = (x.len(), parallelism(&self.symbolic));
         let scratch = self.symbolic.solve_in_place_scratch::<f64>(1, par);
-        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+        SupernodalLltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
             MatMut::from_column_major_slice_mut(x, n, 1),
             par,

@@ -1,13 +1,18 @@
-//! Unknowns that are kept, of all degrees of freedom of a space.
+//! Unknowns that are kept, of all degrees of freedom of a space, in an order of elimination with little fill.
 
-use super::neighbours::CellBlock;
-use super::upper::Upper;
+use super::lower::Lower;
+use super::neighbours::{CellBlock, Neighbours};
+use super::{memory, refused};
 use crate::Error;
+use faer::dyn_stack::MemStack;
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::amd;
 
 /// No unknown.
 const NONE: usize = usize::MAX;
 
-/// Which degrees of freedom are unknowns, each a block of its own.
+/// Which degrees of freedom are unknowns, each a block of its own. Their order is that of an approximate minimum degree, which needs no
+/// coordinates.
 #[derive(Debug)]
 pub(crate) struct Kept {
     /// The number of each degree of freedom.
@@ -17,9 +22,29 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    /// Of so many degrees of freedom those for which this holds.
-    pub fn new(len: usize, is_kept: impl Fn(usize) -> bool) -> Self {
-        let dofs: Vec<usize> = (0..len).filter(|&dof| is_kept(dof)).collect();
+    /// Of so many degrees of freedom those for which this holds; `dofs` tells those of a cell, of which there are `cells`.
+    ///
+    /// # Errors
+    /// If memory does not suffice.
+    pub fn new<D: Iterator<Item = usize>>(
+        len: usize,
+        is_kept: impl Fn(usize) -> bool,
+        cells: usize,
+        dofs: impl Fn(usize) -> D,
+    ) -> Result<Self, Error> {
+        let as_they_come = Self::of((0..len).filter(|&dof| is_kept(dof)).collect(), len);
+        if as_they_come.is_empty() {
+            return Ok(as_they_come);
+        }
+        let blocks = |cell| as_they_come.blocks(dofs(cell));
+        let neighbours = Neighbours::new(as_they_come.dofs.len(), cells, &blocks);
+        let order = minimum_degree(&neighbours)?;
+        let kept = order.iter().map(|&i| as_they_come.dofs[i as usize]);
+        Ok(Self::of(kept.collect(), len))
+    }
+
+    /// These, of so many.
+    fn of(dofs: Vec<usize>, len: usize) -> Self {
         let mut number = vec![NONE; len];
         for (i, &dof) in dofs.iter().enumerate() {
             number[dof] = i;
@@ -43,13 +68,13 @@ impl Kept {
     /// A matrix of the unknowns, zero; `blocks` are those of a cell.
     ///
     /// # Errors
-    /// As [`Upper::new`].
+    /// As [`Lower::new`].
     pub fn matrix(
         &self,
         cells: usize,
         blocks: &dyn Fn(usize) -> Vec<CellBlock>,
-    ) -> Result<Upper, Error> {
-        Upper::new((0..=self.dofs.len()).collect(), cells, blocks)
+    ) -> Result<Lower, Error> {
+        Lower::new((0..=self.dofs.len()).collect(), cells, blocks)
     }
 
     /// The entries of the unknowns.
@@ -65,4 +90,18 @@ impl Kept {
         }
         all
     }
+}
+
+/// An order of elimination: the unknown that comes first, and so on.
+fn minimum_degree(neighbours: &Neighbours) -> Result<Vec<u32>, Error> {
+    let n = neighbours.len();
+    let earlier = neighbours.earlier();
+    let columns: Vec<u32> = earlier.begins.iter().map(|&begin| begin as u32).collect();
+    let pattern = SymbolicSparseColMatRef::new_checked(n, n, &columns, None, &earlier.blocks);
+    let (mut order, mut ranks) = (vec![0; n], vec![0; n]);
+    let mut memory = memory(n, amd::order_scratch::<u32>(n, earlier.blocks.len()))?;
+    let stack = MemStack::new(&mut memory);
+    amd::order(&mut order, &mut ranks, pattern, Default::default(), stack)
+        .map_err(|error| refused(n, error))?;
+    Ok(order)
 }

@@ -21,42 +21,42 @@ const MARGIN: f64 = 0.4;
 
 /// The nodes in order of elimination. Depends on nothing but the graph.
 pub(super) fn dissect(graph: &Graph<'_>) -> Vec<u32> {
-    let cells: Vec<u32> = (0..graph.centres[0].len() as u32).collect();
+    let along = |places: &Vec<f64>| {
+        let place = |c: u32| places[c as usize];
+        let mut cells: Vec<u32> = (0..places.len() as u32).collect();
+        cells.sort_unstable_by(|&a, &b| place(a).total_cmp(&place(b)).then(a.cmp(&b)));
+        cells
+    };
+    let cells: Vec<_> = graph.centres.iter().map(along).collect();
     let nodes: Vec<u32> = (0..graph.weights.len() as u32).collect();
     let mut order = Vec::with_capacity(nodes.len());
-    let mut ranks = vec![0; cells.len()];
+    let mut ranks = vec![0; cells[0].len()];
     graph.part(cells, nodes, &mut ranks, &mut order);
     order
 }
 
-/// A cut of a list of cells, sorted across it, into those of rank < `at` and the others.
+/// A cut across an axis, between the first `at` cells along it and the others.
 struct Cut {
-    cells: Vec<u32>,
+    axis: usize,
     at: usize,
     weight: usize,
 }
 
 impl Graph<'_> {
-    /// Appends the order of `nodes`, all of whose cells are among `cells`.
-    fn part(&self, cells: Vec<u32>, nodes: Vec<u32>, ranks: &mut [u32], order: &mut Vec<u32>) {
-        let cut = match cells.len() {
+    /// Appends the order of `nodes`, all of whose cells are among `cells`, which are given along each axis.
+    fn part(&self, cells: Vec<Vec<u32>>, nodes: Vec<u32>, ranks: &mut [u32], order: &mut Vec<u32>) {
+        let cut = match cells[0].len() {
             0 | 1 => None,
             _ if nodes.is_empty() => None,
-            _ => (0..self.centres.len())
-                .map(|axis| self.cut(axis, cells.clone(), &nodes, ranks))
+            _ => (0..cells.len())
+                .map(|axis| self.cut(axis, &cells[axis], &nodes, ranks))
                 .min_by_key(|c| c.weight),
         };
-        let Some(Cut {
-            cells: mut lower,
-            at,
-            ..
-        }) = cut
-        else {
+        let Some(Cut { axis, at, .. }) = cut else {
             order.extend(nodes);
             return;
         };
-        rank(&lower, ranks);
-        let upper = lower.split_off(at);
+        rank(&cells[axis], ranks);
         let (mut below, mut above, mut both) = (Vec::new(), Vec::new(), Vec::new());
         for node in nodes {
             let (first, last) = self.span(node, ranks);
@@ -69,16 +69,19 @@ impl Graph<'_> {
             };
             list.push(node);
         }
+        // Each list stays in order, so that none is sorted again.
+        let is_lower = |&c: &u32| (ranks[c as usize] as usize) < at;
+        let lists = cells.into_iter();
+        let halves = lists.map(|list| list.into_iter().partition(is_lower));
+        let (lower, upper) = halves.unzip();
         self.part(lower, below, ranks, order);
         self.part(upper, above, ranks, order);
         order.extend(both);
     }
 
-    /// The best cut across an axis: the lightest one, and of these the one nearest to the middle.
-    fn cut(&self, axis: usize, mut cells: Vec<u32>, nodes: &[u32], ranks: &mut [u32]) -> Cut {
-        let place = |c: u32| self.centres[axis][c as usize];
-        cells.sort_unstable_by(|&a, &b| place(a).total_cmp(&place(b)).then(a.cmp(&b)));
-        rank(&cells, ranks);
+    /// The best cut across an axis of cells in order along it: the lightest one, and of these the one nearest to the middle.
+    fn cut(&self, axis: usize, cells: &[u32], nodes: &[u32], ranks: &mut [u32]) -> Cut {
+        rank(cells, ranks);
         // A node is cut by all planes between its first and its last cell.
         let (mut begin, mut end) = (vec![0; cells.len()], vec![0; cells.len()]);
         for &node in nodes {
@@ -96,7 +99,7 @@ impl Graph<'_> {
             }
         }
         let (weight, _, at) = best.expect("two cells or more have a middle");
-        Cut { cells, at, weight }
+        Cut { axis, at, weight }
     }
 
     /// The ranks of the first and the last of a node's cells.

@@ -8,7 +8,7 @@ use super::hhj::{Hhj, Size};
 use super::solver::BiharmonicSolver;
 use crate::Error;
 use crate::parallel::in_order;
-use crate::sparse::{Factor, Order, Upper};
+use crate::sparse::{Factor, Lower};
 use std::sync::Arc;
 use unknowns::Unknowns;
 
@@ -37,7 +37,7 @@ impl<const N: usize> Direct<N> {
         let (mesh, layout) = (hhj.mesh(), hhj.layout());
         let unknowns = Unknowns::new(mesh, layout, &hhj.centres());
         let blocks = |cell| unknowns.of_cell(mesh, layout, cell);
-        let mut matrix = Upper::new(unknowns.offsets.clone(), mesh.cell_count(), &blocks)?;
+        let mut matrix = Lower::new(unknowns.offsets.clone(), mesh.cell_count(), &blocks)?;
         let mut places = vec![0; unknowns.len()];
         let mut bubbles = Vec::with_capacity(mesh.cell_count() * layout.bubbles * layout.len);
         for begin in (0..mesh.cell_count()).step_by(CHUNK) {
@@ -55,7 +55,7 @@ impl<const N: usize> Direct<N> {
         }
         let factor = match places.is_empty() {
             true => None,
-            false => Some(Factor::new(&matrix, Order::Given)?),
+            false => Some(Factor::new(&matrix)?),
         };
         Ok(Self {
             hhj,

@@ -1,27 +1,29 @@
-//! The upper triangle of a sparse symmetric matrix in compressed columns, assembled block by block in the cells' order.
+//! The lower triangle of a sparse symmetric matrix in compressed columns, assembled block by block in the cells' order.
 
 use super::neighbours::{CellBlock, Neighbours};
 use crate::Error;
 use crate::parallel::zeros;
 use nalgebra::DMatrix;
+use std::ops::Range;
 
-/// The upper triangle of a symmetric matrix whose pattern consists of blocks: all pairs of unknowns whose blocks share
-/// a cell. Its indices are short, since the analysis of a matrix is as fast as they are read.
+/// The lower triangle of a symmetric matrix whose pattern consists of blocks: all pairs of unknowns whose blocks share
+/// a cell. Its indices are short, and what there is of one block of columns is written down once for all of them.
 #[derive(Clone, Debug)]
-pub(crate) struct Upper {
+pub(crate) struct Lower {
     /// The first entry of each column, and the number of all of them.
-    pub columns: Vec<u32>,
-    /// The row of each entry, ascending in a column.
-    pub rows: Vec<u32>,
+    pub(super) columns: Vec<u32>,
+    /// The row of each entry, ascending in a column, of which the first is on the diagonal.
+    pub(super) rows: Vec<u32>,
     /// The entries.
-    pub values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     /// The first unknown of each block, and the number of all of them.
-    offsets: Vec<usize>,
-    /// For each block of columns, the blocks of rows above it, ascending, and where each begins in a column.
-    above: Neighbours,
+    pub(super) offsets: Vec<usize>,
+    /// For each block of columns, the blocks of rows below it, ascending, and where each begins in a column, the diagonal block not
+    /// counted.
+    pub(super) below: Neighbours,
 }
 
-impl Upper {
+impl Lower {
     /// The pattern of all pairs of unknowns that share a cell, with values zero. Block b has the unknowns
     /// `offsets[b]..offsets[b + 1]`; `blocks` tells those of a cell, of which there are `cells`.
     ///
@@ -32,13 +34,13 @@ impl Upper {
         cells: usize,
         blocks: &dyn Fn(usize) -> Vec<CellBlock>,
     ) -> Result<Self, Error> {
-        let mut above = Neighbours::new(offsets.len() - 1, cells, blocks);
+        let mut below = Neighbours::new(offsets.len() - 1, cells, blocks);
         let of_block =
             |block: u32| offsets[block as usize] as u32..offsets[block as usize + 1] as u32;
         let mut entries = 0;
         for block in 0..offsets.len() - 1 {
             let (mut begin, width) = (0, of_block(block as u32).len());
-            for (other, start) in above.of_mut(block) {
+            for (other, start) in below.of_mut(block) {
                 *start = begin;
                 begin += of_block(*other).len() as u32;
             }
@@ -50,11 +52,12 @@ impl Upper {
         }
         let (mut columns, mut rows) = (vec![0], Vec::with_capacity(entries));
         for block in 0..offsets.len() - 1 {
-            for column in of_block(block as u32) {
-                for &(other, _) in above.of(block) {
+            let own = of_block(block as u32);
+            for column in own.clone() {
+                rows.extend(column..own.end);
+                for &(other, _) in below.of(block) {
                     rows.extend(of_block(other));
                 }
-                rows.extend(offsets[block] as u32..=column);
                 columns.push(rows.len() as u32);
             }
         }
@@ -63,25 +66,27 @@ impl Upper {
             columns,
             rows,
             offsets,
-            above,
+            below,
         })
     }
 
     /// Adds a cell's symmetric matrix, of which the lower triangle is read.
     pub fn add(&mut self, cell: &[CellBlock], local: &DMatrix<f64>) {
         let (n, local) = (local.nrows(), local.as_slice());
-        for to in cell {
-            for from in cell.iter().filter(|from| from.block <= to.block) {
-                let begin = self.begin(from.block, to.block);
-                for c in 0..self.width(to.block) {
-                    let first = self.columns[self.offsets[to.block] + c] as usize + begin;
-                    let width = match from.block == to.block {
-                        true => c + 1,
-                        false => self.width(from.block),
+        for from in cell {
+            let own = self.unknowns(from.block);
+            for to in cell.iter().filter(|to| to.block >= from.block) {
+                let rows = self.unknowns(to.block).len();
+                let begin = self.begin(to.block, from.block);
+                for (c, column) in own.clone().enumerate() {
+                    let (first, skipped) = match to.block == from.block {
+                        true => (self.columns[column] as usize, c),
+                        false => (self.columns[column] as usize + own.len() - c + begin, 0),
                     };
-                    let b = to.start + c;
-                    for (r, value) in self.values[first..first + width].iter_mut().enumerate() {
-                        let a = from.start + r;
+                    let values = &mut self.values[first..first + rows - skipped];
+                    let b = from.start + c;
+                    for (r, value) in (skipped..).zip(values) {
+                        let a = to.start + r;
                         *value += local[a.min(b) * n + a.max(b)];
                     }
                 }
@@ -102,19 +107,17 @@ impl Upper {
         x.iter().enumerate().map(of_column).sum()
     }
 
-    /// How many unknowns a block has.
-    fn width(&self, block: usize) -> usize {
-        self.offsets[block + 1] - self.offsets[block]
+    /// The unknowns of a block.
+    pub fn unknowns(&self, block: usize) -> Range<usize> {
+        self.offsets[block]..self.offsets[block + 1]
     }
 
-    /// Where a block of rows begins in the columns of a block.
+    /// Where a block of rows begins in the columns of a block, the diagonal block not counted.
     fn begin(&self, rows: usize, columns: usize) -> usize {
         if rows == columns {
-            // The diagonal block comes after all the others; the first of its columns has one entry of it.
-            let column = self.offsets[columns];
-            return (self.columns[column + 1] - self.columns[column]) as usize - 1;
+            return 0;
         }
-        let list = self.above.of(columns);
+        let list = self.below.of(columns);
         let position = list
             .binary_search_by_key(&(rows as u32), |entry| entry.0)
             .expect("blocks that share a cell are in the pattern");
@@ -144,11 +147,11 @@ mod tests {
             vec![block(1, 0), block(0, 1)],
             vec![block(2, 1), block(1, 0)],
         ];
-        let mut upper = Upper::new(offsets.clone(), 2, &|cell| cells[cell].clone()).unwrap();
+        let mut lower = Lower::new(offsets.clone(), 2, &|cell| cells[cell].clone()).unwrap();
         let mut expected = DMatrix::zeros(5, 5);
         for (i, cell) in cells.iter().enumerate() {
             let local = DMatrix::from_fn(3, 3, |a, b| ((i + 1) * (a * b + a + b)) as f64);
-            upper.add(cell, &local);
+            lower.add(cell, &local);
             for x in cell {
                 for y in cell {
                     for a in 0..offsets[x.block + 1] - offsets[x.block] {
@@ -162,24 +165,24 @@ mod tests {
         }
         let mut found = DMatrix::zeros(5, 5);
         for column in 0..5 {
-            for i in upper.columns[column] as usize..upper.columns[column + 1] as usize {
-                found[(upper.rows[i] as usize, column)] = upper.values[i];
+            for i in lower.columns[column] as usize..lower.columns[column + 1] as usize {
+                found[(lower.rows[i] as usize, column)] = lower.values[i];
             }
         }
         // Unknowns 0 and 1 do not meet 3 and 4: that is all that the pattern leaves out.
-        assert_eq!(upper.rows.len(), 15 - 4);
-        assert_eq!(found, expected.upper_triangle());
+        assert_eq!(lower.rows.len(), 15 - 4);
+        assert_eq!(found, expected.lower_triangle());
         let x = [1.0, -2.0, 0.5, 3.0, -1.0];
         let vector = DMatrix::from_column_slice(5, 1, &x);
         let energy = (vector.transpose() * expected * vector)[(0, 0)];
-        assert!((upper.energy(&x) - energy).abs() < 1e-12);
+        assert!((lower.energy(&x) - energy).abs() < 1e-12);
     }
 
     /// It is refused before anything is made of that size: 2¹⁶ unknowns in one cell have 2³¹ + 2¹⁵ pairs.
     #[test]
     fn too_many_entries() {
         let cell = |_: usize| vec![CellBlock { block: 0, start: 0 }];
-        let error = Upper::new(vec![0, 1 << 16], 1, &cell).unwrap_err();
+        let error = Lower::new(vec![0, 1 << 16], 1, &cell).unwrap_err();
         assert!(
             error.to_string().contains("65536 unknowns are too many"),
             "{error}"
