@@ -5,10 +5,11 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use regge_curvature::field::{Evaluate, PointByPoint};
 use regge_curvature::functional::{
     Sums, a_h, boundary_curvature, boundary_curvatures, cell_volumes, distributional_curvatures,
-    smooth_curvature, smooth_curvatures,
+    integrate, smooth_curvature, smooth_curvatures,
 };
 use regge_curvature::jet::Jet2;
 use regge_curvature::linalg::Mat;
+use regge_curvature::quadrature::Rule;
 use regge_curvature::scalar::Real;
 use regge_curvature::simplex::Points;
 use regge_curvature::spaces::{Indicators, Scalar, TestSpace, check_positive};
@@ -202,4 +203,42 @@ fn lanes_agree_with_f64() {
     ] {
         assert_abs_diff_eq!(a[..], b[..], epsilon = 1e-13 * largest(a));
     }
+}
+
+/// Every cell around a simplex adds what it sees. λ_0 (c_D + c_T) on each third of the k-simplices D, T ⊃ D, has the integral
+/// (1 + δ_0i) (c_D + c_T) / (k + 2)! against the hat function of vertex i of D.
+fn what_cells_see_is_added<const N: usize>() {
+    let mesh = Mesh::<N>::cube(2).unwrap();
+    let hats = Lagrange::new(&mesh, 1);
+    let c = |simplex: usize, cell: usize| (simplex + 1) as f64 + 100.0 * (cell + 1) as f64;
+    for k in 1..=N {
+        let rule = Rule::new(k, 2);
+        let some = || (1..mesh.count(k)).step_by(3);
+        let of_cell = |cell: usize| match k == N {
+            true => vec![cell as u32],
+            false => mesh.simplices_of(cell, k).to_vec(),
+        };
+        let found = integrate(&hats, k, &rule, some(), |simplex, side, point| {
+            assert_eq!(simplex, of_cell(side.cell)[side.place] as usize);
+            rule.points().lambda(point)[0] * c(simplex, side.cell)
+        });
+        let factorial: usize = (1..=k + 2).product();
+        let mut expected = vec![0.0; hats.len()];
+        for simplex in some() {
+            let cells =
+                (0..mesh.cell_count()).filter(|&cell| of_cell(cell).contains(&(simplex as u32)));
+            let seen: f64 = cells.map(|cell| c(simplex, cell)).sum();
+            for (i, &vertex) in mesh.vertices(k, simplex).iter().enumerate() {
+                let twice = if i == 0 { 2.0 } else { 1.0 };
+                expected[vertex as usize] += twice * seen / factorial as f64;
+            }
+        }
+        assert_relative_eq!(found[..], expected[..], max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn integrals_add_what_the_cells_around_see() {
+    what_cells_see_is_added::<2>();
+    what_cells_see_is_added::<3>();
 }
