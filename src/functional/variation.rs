@@ -189,8 +189,9 @@ where
         self.seen.side(g, place, block, |side| {
             let dv = differential::<Jet1<T, N>, N>(&v);
             let slope = contract(&dv, &side.normal.n);
-            let b = times(i64::from(self.with_b) * self.formulas.b_faces, slope);
-            let a = times(i64::from(self.with_a) * self.formulas.a_faces, v.value);
+            let if_wanted = |wanted, factor| if wanted { factor } else { 0 };
+            let b = times(if_wanted(self.with_b, self.formulas.b_faces), slope);
+            let a = times(if_wanted(self.with_a, self.formulas.a_faces), v.value);
             let (b, a) = (side.normal.omega * b, side.normal.omega * a);
             let curved = side.trace_reversed();
             let mut out = out.iter_mut();
