@@ -1,6 +1,6 @@
 //! Unknowns that are kept, of all degrees of freedom of a space, in an order of elimination with little fill.
 
-use super::lower::Lower;
+use super::lower::{Lower, too_large};
 use super::neighbours::{CellBlock, Neighbours};
 use super::{memory, refused};
 use crate::Error;
@@ -25,7 +25,7 @@ impl Kept {
     /// Of so many degrees of freedom those for which this holds; `dofs` tells those of a cell, of which there are `cells`.
     ///
     /// # Errors
-    /// If memory does not suffice.
+    /// If memory does not suffice, or there are more pairs of unknowns than short indices can tell apart.
     pub fn new<D: Iterator<Item = usize>>(
         len: usize,
         is_kept: impl Fn(usize) -> bool,
@@ -96,6 +96,10 @@ impl Kept {
 fn minimum_degree(neighbours: &Neighbours) -> Result<Vec<u32>, Error> {
     let n = neighbours.len();
     let earlier = neighbours.earlier();
+    // The solver's indices have a sign.
+    if earlier.blocks.len() > i32::MAX as usize {
+        return Err(too_large(n));
+    }
     let columns: Vec<u32> = earlier.begins.iter().map(|&begin| begin as u32).collect();
     let pattern = SymbolicSparseColMatRef::new_checked(n, n, &columns, None, &earlier.blocks);
     let (mut order, mut ranks) = (vec![0; n], vec![0; n]);

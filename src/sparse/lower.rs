@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use std::ops::Range;
 
 /// The lower triangle of a symmetric matrix whose pattern consists of blocks: all pairs of unknowns whose blocks share
-/// a cell. Its indices are short, and what there is of one block of columns is written down once for all of them.
+/// a cell. Its indices are short, as the solver's are.
 #[derive(Clone, Debug)]
 pub(crate) struct Lower {
     /// The first entry of each column, and the number of all of them.
