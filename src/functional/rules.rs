@@ -48,8 +48,9 @@ impl Rules {
     /// Densities by other formulas than the paper's, for a sceptic.
     #[cfg(feature = "formulas")]
     #[doc(hidden)]
-    pub fn with_formulas(self, formulas: Formulas) -> Self {
-        Self { formulas, ..self }
+    pub fn with_formulas(mut self, formulas: Formulas) -> Self {
+        self.formulas = formulas;
+        self
     }
 
     /// The order at which integration is not what limits the accuracy: 2(r+2)+2 for a metric of degree r, against
