@@ -233,6 +233,7 @@ fn what_cells_see_is_added<const N: usize>() {
                 expected[vertex as usize] += twice * seen / factorial as f64;
             }
         }
+        // The rule is exact for λ_0 λ_i; what is left is the rounding of sums of positive terms.
         assert_relative_eq!(found[..], expected[..], max_relative = 1e-12);
     }
 }
