@@ -5,11 +5,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
-/// How many items are computed before their results are consumed: bounds the memory for results.
-const BATCH: usize = 8192;
-
-/// The same for [`rows_in_order`], whose results shall stay in the cache.
-const ROWS: usize = 2048;
+/// How many items are computed before their results are consumed: bounds the memory for results, and they shall stay in the cache.
+const BATCH: usize = 2048;
 
 /// How many items a piece of work has at least.
 const GRAIN: usize = 16;
@@ -194,12 +191,12 @@ fn two_rows<R: Copy + Send + Sync, S: Copy + Send + Sync, W: Send>(
     consume: &mut dyn FnMut(usize, &[R], &[S]),
 ) {
     let mut tables = (
-        vec![first.1; first.0 * ROWS.min(count)],
-        vec![second.1; second.0 * ROWS.min(count)],
+        vec![first.1; first.0 * BATCH.min(count)],
+        vec![second.1; second.0 * BATCH.min(count)],
     );
     let (rooms, known) = (Rooms::new(room), "a table has as many rows");
-    for start in (0..count).step_by(ROWS) {
-        let len = ROWS.min(count - start);
+    for start in (0..count).step_by(BATCH) {
+        let len = BATCH.min(count - start);
         tables.0.fill(first.1);
         tables.1.fill(second.1);
         let length = piece_of(len, GRAIN);

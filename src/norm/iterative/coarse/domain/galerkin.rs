@@ -13,7 +13,7 @@ use super::level::{Kind, Level};
 use super::rows::{Plane, from_site};
 use crate::linalg::Vector;
 use crate::norm::hhj::cell::root;
-use crate::parallel::{for_chunks, for_chunks_in};
+use crate::parallel::{for_chunks, for_chunks_in, zeros};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 
@@ -163,36 +163,47 @@ impl<const N: usize> Finest<'_, N> {
 
     /// Adds what the cells near ∂Ω and the flat ones have: some forms at a time, and these plane by plane.
     fn add_cells(&self, planes: &mut [Plane<N>]) {
-        let (mut forms, mut rest) = (Vec::new(), &self.near[..]);
+        let (mut numbers, mut rest) = (Vec::new(), &self.near[..]);
         while !rest.is_empty() {
-            let (cells, after) = rest.split_at(self.at_once(rest));
+            let patches = self.at_once(rest);
+            let (cells, after) = rest.split_at(patches.len());
             rest = after;
-            forms.resize_with(cells.len().max(forms.len()), CellForm::default);
-            let forms = &mut forms[..cells.len()];
-            for_chunks_in(forms, 1, FormRoom::default, |i, form, room| {
+            if numbers.is_empty() {
+                // The first are as many as there ever are.
+                numbers =
+                    zeros(numbers_of(&patches).max(if rest.is_empty() { 0 } else { AT_ONCE }));
+            }
+            let mut forms = places(patches, &mut numbers);
+            for_chunks_in(&mut forms, 1, FormRoom::default, |i, form, room| {
                 self.make(cells[i], &mut form[0], room);
             });
-            let forms = &*forms;
             for_chunks(planes, 1, |at, plane| {
-                for form in forms {
+                for form in &forms {
                     self.add_cell(form, at, &mut plane[0]);
                 }
             });
         }
     }
 
-    /// The forms of how many of the first of these cells are made at a time.
-    fn at_once(&self, cells: &[u32]) -> usize {
+    /// What the first of these cells reach, of as many as have their forms made at a time.
+    fn at_once(&self, cells: &[u32]) -> Vec<Patch<N>> {
+        let reached = |&cell: &u32| self.transfer.reached(&self.corners(cell));
         let mut numbers = 0;
-        let fits = |&&cell: &&u32| {
-            numbers += self.transfer.reached(&self.corners(cell)).len().pow(2);
-            numbers <= AT_ONCE
+        let fits = |(before, patch): &(usize, Patch<N>)| {
+            numbers += patch.len().pow(2);
+            *before == 0 || numbers <= AT_ONCE
         };
-        cells.iter().take_while(fits).count().max(1)
+        let patches = cells.iter().map(reached).enumerate().take_while(fits);
+        patches.map(|(_, patch)| patch).collect()
     }
 
     /// Adds what a cell has for the rows of a plane.
-    fn add_cell(&self, CellForm { patch, form }: &CellForm<N>, at: usize, plane: &mut Plane<N>) {
+    fn add_cell(
+        &self,
+        CellForm { patch, form }: &CellForm<'_, N>,
+        at: usize,
+        plane: &mut Plane<N>,
+    ) {
         let mut part = *patch;
         (part.low[N - 1], part.high[N - 1]) = (at, at + 1);
         if !(patch.low[N - 1]..patch.high[N - 1]).contains(&at) {
@@ -209,9 +220,8 @@ impl<const N: usize> Finest<'_, N> {
     }
 
     /// The form of the splines that reach a cell.
-    fn make(&self, cell: u32, to: &mut CellForm<N>, room: &mut FormRoom) {
+    fn make(&self, cell: u32, to: &mut CellForm<'_, N>, room: &mut FormRoom) {
         let Transfer { hhj, skeleton, .. } = self.transfer;
-        to.patch = self.transfer.reached(&self.corners(cell));
         let (layout, splines) = (hhj.layout(), to.patch.len());
         let cell = cell as usize;
         room.kept.clear();
@@ -230,23 +240,32 @@ impl<const N: usize> Finest<'_, N> {
         let root = root(&energy, &room.kept, hhj.element().rank());
         room.root.clear();
         room.root.extend(root.iter().map(|&x| x as Short));
-        room.gram(splines, &mut to.form);
+        room.gram(splines, to.form);
     }
 }
 
 /// The form of the splines that reach a cell: row i has the numbers from i on.
-struct CellForm<const N: usize> {
+struct CellForm<'a, const N: usize> {
     patch: Patch<N>,
-    form: Vec<Short>,
+    form: &'a mut [Short],
 }
 
-impl<const N: usize> Default for CellForm<N> {
-    fn default() -> Self {
-        Self {
-            patch: Patch::EMPTY,
-            form: Vec::new(),
-        }
-    }
+/// How many numbers the forms of cells have that reach these.
+fn numbers_of<const N: usize>(patches: &[Patch<N>]) -> usize {
+    patches.iter().map(|patch| patch.len().pow(2)).sum()
+}
+
+/// A place for each cell's form, one after the other.
+fn places<const N: usize>(
+    patches: Vec<Patch<N>>,
+    mut numbers: &mut [Short],
+) -> Vec<CellForm<'_, N>> {
+    let place = |patch: Patch<N>| {
+        let (form, rest) = std::mem::take(&mut numbers).split_at_mut(numbers_of(&[patch]));
+        numbers = rest;
+        CellForm { patch, form }
+    };
+    patches.into_iter().map(place).collect()
 }
 
 /// How many numbers the cells' forms have that are there at a time, 8 MB of them: those of some 16 cells at p = 4 and of 130 at p = 2,
@@ -270,8 +289,7 @@ struct FormRoom {
 
 impl FormRoom {
     /// (R P)ᵀ R P: row i holds the entries from i on, and others before.
-    fn gram(&mut self, columns: usize, form: &mut Vec<Short>) {
-        form.resize(columns * columns, 0.0);
+    fn gram(&mut self, columns: usize, form: &mut [Short]) {
         if self.kept.is_empty() {
             form.fill(0.0);
             return;
