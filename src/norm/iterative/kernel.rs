@@ -4,6 +4,7 @@ use super::batch::{Batch, CELLS, Geometry, row, row_mut};
 use super::number::Number;
 use super::pairing::Pairing;
 use super::skeleton::Skeleton;
+use super::width::by_width;
 use crate::norm::hhj::Hhj;
 use nalgebra::DMatrix;
 use std::sync::Arc;
@@ -105,12 +106,13 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         for block in element.layout.blocks.iter().filter(|block| block.width > 0) {
             let first = (block.start - element.layout.bubbles) * lanes;
             let rows = &mut self.x[first..first + block.width * lanes];
-            for lane in 0..lanes {
-                let from = skeleton.of_cell(block.k, self.begin + lane, block.place);
-                for (x, from) in rows[lane..].iter_mut().step_by(lanes).zip(&global[from]) {
-                    *x = T::of(from.double());
-                }
+            let cells = self.begin..self.begin + lanes;
+            let lists = skeleton.of_cells(block.k, cells, block.place, global);
+            if lanes < CELLS {
+                spread_any(rows, lanes, lists);
+                continue;
             }
+            by_width!(block.width, W => spread::<S, T, W>(rows, lists), else spread_any(rows, lanes, lists));
         }
         self.batch.shift(element, &mut self.x);
         let pairing = &self.kernel.pairing;
@@ -164,11 +166,56 @@ impl<'a, T: Number, const N: usize> Work<'a, T, N> {
         let (element, lanes) = (self.kernel.hhj.element(), self.batch.lanes);
         self.kernel.pairing.transposed(&self.z, &mut self.x, lanes);
         self.batch.shift_back(element, &mut self.x);
-        let outer = self.kernel.outer();
-        for (row, x) in self.x.chunks_exact(lanes).enumerate() {
-            for (out, x) in out[row..].iter_mut().step_by(outer).zip(x) {
-                *out = *x;
+        by_lanes(&self.x, lanes, out);
+    }
+}
+
+/// Writes what each lane has, if it has anything, into its place of the rows. There are W of them, and a full batch: the compiler knows
+/// that all places exist.
+fn spread<'a, S: Number, T: Number, const W: usize>(
+    rows: &mut [T],
+    lists: impl Iterator<Item = &'a [S]>,
+) {
+    let rows = rows.as_chunks_mut::<CELLS>().0;
+    let rows: &mut [_; W] = rows.try_into().expect("as many rows as numbers");
+    for (lane, list) in (0..CELLS).zip(lists) {
+        if let Ok(list) = <&[S; W]>::try_from(list) {
+            for (row, x) in rows.iter_mut().zip(list) {
+                row[lane] = T::of(x.double());
             }
+        }
+    }
+}
+
+/// [`spread`] for any number of rows and lanes.
+fn spread_any<'a, S: Number, T: Number>(
+    rows: &mut [T],
+    lanes: usize,
+    lists: impl Iterator<Item = &'a [S]>,
+) {
+    for (lane, list) in lists.enumerate() {
+        for (place, x) in rows[lane..].iter_mut().step_by(lanes).zip(list) {
+            *place = T::of(x.double());
+        }
+    }
+}
+
+/// Writes the rows' numbers lane by lane.
+fn by_lanes<T: Number>(rows: &[T], lanes: usize, out: &mut [T]) {
+    let of_lanes = out.chunks_exact_mut(rows.len() / lanes);
+    if lanes == CELLS {
+        // Here too.
+        let rows = rows.as_chunks::<CELLS>().0;
+        for (lane, out) in (0..CELLS).zip(of_lanes) {
+            for (out, row) in out.iter_mut().zip(rows) {
+                *out = row[lane];
+            }
+        }
+        return;
+    }
+    for (lane, out) in of_lanes.enumerate() {
+        for (out, row) in out.iter_mut().zip(rows.chunks_exact(lanes)) {
+            *out = row[lane];
         }
     }
 }

@@ -17,6 +17,7 @@ mod product;
 mod skeleton;
 mod smoother;
 mod solver;
+mod width;
 
 use super::dimension::of_dimension;
 use super::dual::{Representative, Step, Target};

@@ -8,6 +8,7 @@ use super::batch::CELLS;
 use super::kernel::{Kernel, Work};
 use super::number::Number;
 use super::skeleton::Skeleton;
+use super::width::by_width;
 use crate::norm::hhj::Hhj;
 use crate::parallel::for_chunks_in;
 use std::ops::Range;
@@ -113,15 +114,38 @@ impl<T: Number, const N: usize> Operator<T, N> {
             let simplices = piece.simplices.clone().zip(y.chunks_exact_mut(width));
             for (simplex, y) in simplices {
                 let star = layer.star(simplex);
-                for (cell, which) in star.filter(|(cell, _)| cells.contains(cell)) {
-                    let begin = (cell - cells.start) * outer + starts[which];
-                    for (y, x) in y.iter_mut().zip(&room[begin..begin + width]) {
-                        *y = y.plus_product(factor, *x);
-                    }
-                }
+                let star = star.filter(|(cell, _)| cells.contains(cell));
+                let parts = star.map(|(cell, which)| {
+                    &room[(cell - cells.start) * outer + starts[which]..][..width]
+                });
+                by_width!(width, W => add_parts::<T, W>(y, factor, parts), else {
+                    parts.for_each(|part| add_part(y, factor, part));
+                });
             }
         });
     }
+}
+
+/// y += factor · part.
+fn add_part<T: Number>(y: &mut [T], factor: T, part: &[T]) {
+    for (y, x) in y.iter_mut().zip(part) {
+        *y = y.plus_product(factor, *x);
+    }
+}
+
+/// y += factor · the sum of the parts, one after the other, all of W numbers.
+fn add_parts<'a, T: Number, const W: usize>(
+    y: &mut [T],
+    factor: T,
+    parts: impl Iterator<Item = &'a [T]>,
+) {
+    let y: &mut [T; W] = y.try_into().expect("a simplex has so many");
+    let mut sum = *y;
+    for part in parts {
+        let part: &[T; W] = part.try_into().expect("a simplex has so many");
+        add_part(&mut sum, factor, part);
+    }
+    *y = sum;
 }
 
 /// What is done once a solution.

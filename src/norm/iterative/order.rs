@@ -4,6 +4,7 @@
 use crate::linalg::Vector;
 use crate::mesh::Mesh;
 use crate::parallel::{collect, sort};
+use std::ops::Range;
 
 /// The cells and simplices of a mesh with points, by their places in the solver's order.
 #[derive(Clone, Debug)]
@@ -88,6 +89,20 @@ impl Layer {
     #[inline]
     pub fn of_cell(&self, cell: usize) -> &[u32] {
         &self.of_cell[cell * self.per_cell..(cell + 1) * self.per_cell]
+    }
+
+    /// One of each cell's simplices, the same of all, if it is interior.
+    pub fn free_of_cells(
+        &self,
+        cells: Range<usize>,
+        which: usize,
+    ) -> impl Iterator<Item = Option<usize>> + '_ {
+        let list = &self.of_cell[cells.start * self.per_cell..cells.end * self.per_cell];
+        let simplices = list.chunks_exact(self.per_cell);
+        simplices.map(move |simplices| {
+            let simplex = simplices[which] as usize;
+            (simplex < self.free).then_some(simplex)
+        })
     }
 
     /// One of a cell's simplices, if it is interior.

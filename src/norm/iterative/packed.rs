@@ -1,6 +1,7 @@
 //! Small symmetric matrices as their lower triangles, row after row.
 
 use super::number::Number;
+use super::width::by_width;
 
 /// Where entry (a, b), b ≤ a, is.
 #[inline]
@@ -17,19 +18,12 @@ pub(super) fn packed(n: usize) -> usize {
 /// blocks, and keeps their sums in registers: a norm on 20 149 tetrahedra, p = 3, takes 3 % less. ([`multiply`] inlined for these lengths
 /// takes 4 to 7 % more than what is written out here.)
 pub(super) fn multiply_all<T: Number>(n: usize, a: &[T], r: &[T], z: &mut [T]) {
-    match n {
-        1 => multiply_each::<T, 1>(a, r, z),
-        2 => multiply_each::<T, 2>(a, r, z),
-        3 => multiply_each::<T, 3>(a, r, z),
-        5 => multiply_each::<T, 5>(a, r, z),
-        7 => multiply_each::<T, 7>(a, r, z),
-        _ => {
-            let vectors = r.chunks_exact(n).zip(z.chunks_exact_mut(n));
-            for (a, (r, z)) in a.chunks_exact(packed(n)).zip(vectors) {
-                multiply(a, r, z);
-            }
+    by_width!(n, W => multiply_each::<T, W>(a, r, z), else {
+        let vectors = r.chunks_exact(n).zip(z.chunks_exact_mut(n));
+        for (a, (r, z)) in a.chunks_exact(packed(n)).zip(vectors) {
+            multiply(a, r, z);
         }
-    }
+    });
 }
 
 fn multiply_each<T: Number, const N: usize>(a: &[T], r: &[T], z: &mut [T]) {

@@ -76,6 +76,23 @@ impl Skeleton {
         simplex.map_or(0..0, |simplex| self.of_simplex(k, simplex))
     }
 
+    /// [`Skeleton::of_cell`] for some cells, what they have of a global x.
+    #[inline]
+    pub fn of_cells<'a, T>(
+        &'a self,
+        k: usize,
+        cells: Range<usize>,
+        which: usize,
+        x: &'a [T],
+    ) -> impl Iterator<Item = &'a [T]> + 'a {
+        let (width, x) = (self.widths[k], &x[self.offsets[k]..]);
+        let simplices = self.order.layers[k].free_of_cells(cells, which);
+        simplices.map(move |simplex| match simplex {
+            Some(simplex) => &x[simplex * width..][..width],
+            None => &[],
+        })
+    }
+
     /// The unknowns of a cell's interior simplices, each with its local index.
     pub fn unknowns<'a>(
         &'a self,
