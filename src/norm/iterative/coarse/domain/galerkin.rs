@@ -8,14 +8,13 @@ use super::super::patch::Patch;
 use super::super::stencil::Short;
 use super::super::transfer::Transfer;
 use super::energy::Energy;
+use super::forms::{AT_ONCE, CellForm, FormRoom, places, size};
 use super::inside::Boxes;
 use super::level::{Kind, Level};
 use super::rows::{Plane, from_site};
 use crate::linalg::Vector;
 use crate::norm::hhj::cell::root;
-use crate::parallel::{for_chunks, for_chunks_in, zeros};
-use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef, Par};
+use crate::parallel::{for_chunks, for_chunks_in};
 
 /// A cell whose mean ratio is below is flat. The largest eigenvalue with and without their form, by conjugate gradients on balls of
 /// 17 000 tetrahedra: 1.2 and 1.7 where the least mean ratio is 0.20 (p = 3); 1.04 and 34 (p = 3), 1.3 and 95 (p = 4) where it is 0.05.
@@ -168,12 +167,7 @@ impl<const N: usize> Finest<'_, N> {
             let patches = self.at_once(rest);
             let (cells, after) = rest.split_at(patches.len());
             rest = after;
-            if numbers.is_empty() {
-                // The first are as many as there ever are.
-                numbers =
-                    zeros(numbers_of(&patches).max(if rest.is_empty() { 0 } else { AT_ONCE }));
-            }
-            let mut forms = places(patches, &mut numbers);
+            let mut forms = places(patches, &mut numbers, rest.is_empty());
             for_chunks_in(&mut forms, 1, FormRoom::default, |i, form, room| {
                 self.make(cells[i], &mut form[0], room);
             });
@@ -190,7 +184,7 @@ impl<const N: usize> Finest<'_, N> {
         let reached = |&cell: &u32| self.transfer.reached(&self.corners(cell));
         let mut numbers = 0;
         let fits = |(before, patch): &(usize, Patch<N>)| {
-            numbers += patch.len().pow(2);
+            numbers += size(patch);
             *before == 0 || numbers <= AT_ONCE
         };
         let patches = cells.iter().map(reached).enumerate().take_while(fits);
@@ -241,82 +235,5 @@ impl<const N: usize> Finest<'_, N> {
         room.root.clear();
         room.root.extend(root.iter().map(|&x| x as Short));
         room.gram(splines, to.form);
-    }
-}
-
-/// The form of the splines that reach a cell: row i has the numbers from i on.
-struct CellForm<'a, const N: usize> {
-    patch: Patch<N>,
-    form: &'a mut [Short],
-}
-
-/// How many numbers the forms of cells have that reach these.
-fn numbers_of<const N: usize>(patches: &[Patch<N>]) -> usize {
-    patches.iter().map(|patch| patch.len().pow(2)).sum()
-}
-
-/// A place for each cell's form, one after the other.
-fn places<const N: usize>(
-    patches: Vec<Patch<N>>,
-    mut numbers: &mut [Short],
-) -> Vec<CellForm<'_, N>> {
-    let place = |patch: Patch<N>| {
-        let (form, rest) = std::mem::take(&mut numbers).split_at_mut(numbers_of(&[patch]));
-        numbers = rest;
-        CellForm { patch, form }
-    };
-    patches.into_iter().map(place).collect()
-}
-
-/// How many numbers the cells' forms have that are there at a time, 8 MB of them: those of some 16 cells at p = 4 and of 130 at p = 2,
-/// so that threads seldom wait for the last form.
-const AT_ONCE: usize = 1 << 21;
-
-/// In how many strips a form is made: with four, 5/8 of a square are computed for the half that is wanted.
-const STRIPS: usize = 4;
-
-/// What a cell's form is made from.
-#[derive(Default)]
-struct FormRoom {
-    /// The cell's unknowns that are not on ∂Ω.
-    kept: Vec<usize>,
-    /// Of these: Rᵀ column by column, and P row by row.
-    root: Vec<Short>,
-    rows: Vec<Short>,
-    /// (R P)ᵀ.
-    product: Vec<Short>,
-}
-
-impl FormRoom {
-    /// (R P)ᵀ R P: row i holds the entries from i on, and others before.
-    fn gram(&mut self, columns: usize, form: &mut [Short]) {
-        if self.kept.is_empty() {
-            form.fill(0.0);
-            return;
-        }
-        let outer = self.kept.len();
-        let rank = self.root.len() / outer;
-        let root = MatRef::from_column_major_slice(&self.root, outer, rank);
-        // Row-major P is column-major Pᵀ.
-        let rows = MatRef::from_column_major_slice(&self.rows, columns, outer);
-        self.product.resize(columns * rank, 0.0);
-        let half = MatMut::from_column_major_slice_mut(&mut self.product, columns, rank);
-        matmul(half, Accum::Replace, rows, root, 1.0, Par::Seq);
-        let half = MatRef::from_column_major_slice(&self.product, columns, rank);
-        let strip = columns.div_ceil(STRIPS).max(1);
-        for begin in (0..columns).step_by(strip) {
-            let (width, rest) = (strip.min(columns - begin), columns - begin);
-            let of_strip = &mut form[begin * columns..(begin + width) * columns];
-            let of_strip = MatMut::from_column_major_slice_mut(of_strip, columns, width);
-            let transposed = half.subrows(begin, width).transpose();
-            matmul(
-                of_strip.subrows_mut(begin, rest),
-                Accum::Replace,
-                half.subrows(begin, rest),
-                transposed,
-                1.0,
-                Par::Seq,
-            );
-        }
     }
 }

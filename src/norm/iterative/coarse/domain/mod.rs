@@ -3,6 +3,7 @@
 
 mod coarser;
 mod energy;
+mod forms;
 mod galerkin;
 mod halve;
 mod inside;
